@@ -1,0 +1,36 @@
+//! `closedform derive`: Maxima runs the worksheets; reference expressions and golden values are written anew.
+
+use super::generate::worksheets;
+use crate::worksheet::derive::{Options, derive};
+use crate::worksheet::family::family_names;
+use clap::Args as ClapArgs;
+use std::path::{Path, PathBuf};
+
+/// Run worksheets in Maxima and write their reference expressions and golden values
+#[derive(Debug, ClapArgs)]
+pub struct Args {
+    /// The families; all of the folder if none is named
+    families: Vec<String>,
+    /// The folder of worksheets and contracts, if not this project's
+    #[arg(long, value_name = "DIR")]
+    folder: Option<PathBuf>,
+}
+
+/// Derives all families first, and writes their files then.
+///
+/// # Errors
+///
+/// When a worksheet asks, fails, loops or does not fulfil its contract; nothing is written then.
+pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
+    let folder = args.folder.clone().unwrap_or_else(|| worksheets(root));
+    let names = if args.families.is_empty() { family_names(&folder)? } else { args.families.clone() };
+    let mut derived = Vec::new();
+    for name in &names {
+        derived.push((name, derive(&folder, name, &Options::default())?));
+    }
+    for (name, family) in derived {
+        family.write()?;
+        println!("{name}: {} reference expressions, {} golden values", family.definitions.len(), family.values.len());
+    }
+    Ok(())
+}

@@ -1,0 +1,105 @@
+//! `closedform generate`: references to kernels, proved and measured; or a worksheet of one's own to a crate of its own.
+
+use super::output;
+use super::verify::worst_of;
+use crate::catalogue::Catalogue;
+use crate::pipeline::Made;
+use crate::worker::{self, Source};
+use crate::{crate_text, folder};
+use clap::Args as ClapArgs;
+use comfy_table::Table;
+use miette::{IntoDiagnostic, WrapErr, bail};
+use std::path::{Path, PathBuf};
+
+/// Make the kernels from the reference expressions
+#[derive(Debug, ClapArgs)]
+pub struct Args {
+    /// A worksheet of definitions `f(x,y) := ..` to make a crate of, instead of this project's families
+    #[arg(long, value_name = "FILE.mac", requires = "out")]
+    input: Option<PathBuf>,
+    /// The folder of that crate
+    #[arg(long, value_name = "DIR", requires = "input")]
+    out: Option<PathBuf>,
+    /// How many points of each kernel's domain to measure for the table
+    #[arg(long, default_value_t = 200)]
+    points: u32,
+}
+
+/// Generates.
+///
+/// # Errors
+///
+/// When a family is wrong, a kernel cannot be made or proved, or files cannot be written.
+pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
+    match (&args.input, &args.out) {
+        (Some(input), Some(out)) => own_crate(args, input, out, root),
+        _ => project(args, root),
+    }
+}
+
+/// Where this project's worksheets are.
+#[must_use]
+pub fn worksheets(root: &Path) -> PathBuf {
+    root.join("maxima-ref")
+}
+
+/// Where this project's kernels are.
+#[must_use]
+pub fn kernels(root: &Path) -> PathBuf {
+    root.join("kernels/src/generated")
+}
+
+fn project(args: &Args, root: &Path) -> miette::Result<()> {
+    let generated = worker::run(&Source::Folder(worksheets(root)))?;
+    let target = kernels(root);
+    let changed = write(&target, &generated.files)?;
+    report(&generated.kernels, &target, args.points)?;
+    eprintln!("{} kernels, all proved equal to their reference expressions; {changed} files changed", generated.kernels.len());
+    Ok(())
+}
+
+fn own_crate(args: &Args, input: &Path, out: &Path, root: &Path) -> miette::Result<()> {
+    let occupied = out.exists() && !out.join(crate_text::MARKER).exists() && !is_empty(out)?;
+    if occupied {
+        bail!(
+            help = "name a folder that is new or empty, or one that this command has made before",
+            "{} holds something else",
+            out.display()
+        );
+    }
+    let generated = worker::run(&Source::Worksheet(input.to_owned()))?;
+    let crate_files = crate_text::files(input, &root.join("runtime"), &generated)?;
+    for (below, files) in &crate_files {
+        write(&out.join(below), files)?;
+    }
+    report(&generated.kernels, &out.join("src"), args.points)?;
+    eprintln!("{} kernels in {}: `cargo test` there runs their judges", generated.kernels.len(), out.display());
+    Ok(())
+}
+
+fn is_empty(folder: &Path) -> miette::Result<bool> {
+    Ok(std::fs::read_dir(folder).into_diagnostic()?.next().is_none())
+}
+
+fn write(target: &Path, files: &std::collections::BTreeMap<String, String>) -> miette::Result<usize> {
+    folder::replace(target, files).into_diagnostic().wrap_err_with(|| format!("cannot write {}", target.display()))
+}
+
+fn report(made: &[Made], sources: &Path, points: u32) -> miette::Result<()> {
+    let catalogue = Catalogue::load(sources)?;
+    let mut table: Table = output::table(["kernel", "rules", "+ * / sqrt wide", "worst ulp", "bound", "proof"]);
+    for kernel in made {
+        let entry = catalogue.find(&kernel.kernel)?;
+        let worst = worst_of(entry, points)?;
+        table.add_row([
+            kernel.kernel.clone(),
+            kernel.rules.join(" "),
+            kernel.operations.map(|count| count.to_string()).join(" "),
+            format!("{worst:.2}"),
+            format!("{}", kernel.bound),
+            "exact".to_owned(),
+        ]);
+    }
+    output::print(&format!("{table}\n"))?;
+    Ok(())
+}

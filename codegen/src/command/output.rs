@@ -1,0 +1,54 @@
+//! Standard output: text, tables and JSON; a reader that has seen enough is no error.
+
+use std::io::{self, ErrorKind, Write};
+
+use comfy_table::{ContentArrangement, Table, presets};
+use miette::Diagnostic;
+use serde::Serialize;
+use thiserror::Error;
+
+/// Standard output takes nothing more.
+#[derive(Debug, Error, Diagnostic)]
+#[error("cannot write to standard output: {0}")]
+#[diagnostic(help("make room where the output goes, or send it elsewhere"))]
+pub struct OutputError(#[from] io::Error);
+
+/// Writes the text.
+///
+/// # Errors
+///
+/// When it cannot be written.
+pub fn print(text: &str) -> Result<(), OutputError> {
+    let mut output = io::stdout().lock();
+    unless_closed(output.write_all(text.as_bytes()).and_then(|()| output.flush()))
+}
+
+/// Writes the value as JSON.
+///
+/// # Errors
+///
+/// When it cannot be written.
+pub fn print_json(value: &impl Serialize) -> Result<(), OutputError> {
+    let text = serde_json::to_string_pretty(value).map_err(io::Error::from)?;
+    print(&format!("{text}\n"))
+}
+
+/// What writing came to; that nobody reads on is no error.
+///
+/// # Errors
+///
+/// When it failed otherwise.
+pub fn unless_closed(written: io::Result<()>) -> Result<(), OutputError> {
+    match written {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error.into()),
+        _ => Ok(()),
+    }
+}
+
+/// An empty table, as wide as the terminal.
+pub fn table<const N: usize>(header: [&str; N]) -> Table {
+    let mut table = Table::new();
+    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
+    table.set_header(header);
+    table
+}

@@ -1,0 +1,150 @@
+//! Maxima text to exact expressions: what the generator understands, and a clear word about what it does not.
+
+use super::Expr;
+use closedform_maxima::ast::{BinaryOperator, Expr as Ast, ExprKind, UnaryOperator};
+use closedform_maxima::exact;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+use std::ops::Range;
+use thiserror::Error;
+
+/// What the generator cannot read, and where it stands.
+#[derive(Debug, Error, Clone, PartialEq)]
+#[error("{what}")]
+pub struct LowerError {
+    /// What is wrong.
+    pub what: String,
+    /// What to do about it.
+    pub remedy: String,
+    /// Where it stands in the text.
+    pub span: Range<usize>,
+}
+
+/// The largest exponent that is worth multiplying out.
+const MAX_EXPONENT: i64 = 64;
+
+/// The exact expression that a Maxima expression means.
+///
+/// # Errors
+/// When it uses what has no exact closed form of `+ - * /`, `sqrt`, `abs` and `positive_root`.
+pub fn lower(ast: &Ast) -> Result<Expr, LowerError> {
+    match &ast.kind {
+        ExprKind::Integer(_) | ExprKind::Float(_) | ExprKind::BigFloat(_) => number(ast),
+        ExprKind::Symbol(name) => symbol(name, ast),
+        ExprKind::Unary { operator: UnaryOperator::Minus, operand } => Ok(lower(operand)?.negated()),
+        ExprKind::Unary { operator: UnaryOperator::Plus, operand } => lower(operand),
+        ExprKind::Binary { operator, left, right } => binary(*operator, left, right, ast),
+        ExprKind::Call { .. } => call(ast),
+        ExprKind::If { .. } => Err(unsupported(ast, "an `if`", "define one function for each case, each with its own domain")),
+        _ => Err(unsupported(ast, "this", "write a formula of + - * / ^ sqrt abs and numbers")),
+    }
+}
+
+fn unsupported(ast: &Ast, what: &str, remedy: &str) -> LowerError {
+    LowerError {
+        what: format!("{what} has no place in a reference expression"),
+        remedy: remedy.to_owned(),
+        span: ast.span.clone(),
+    }
+}
+
+fn number(ast: &Ast) -> Result<Expr, LowerError> {
+    match exact::rational(ast) {
+        Ok(value) => Ok(Expr::Rational(value)),
+        Err(_) => Err(unsupported(ast, "a number out of range", "write it as a fraction of integers")),
+    }
+}
+
+fn symbol(name: &str, ast: &Ast) -> Result<Expr, LowerError> {
+    match name {
+        "%pi" => Ok(Expr::Pi),
+        "%e" | "%i" | "%phi" | "inf" | "minf" | "und" | "ind" => {
+            let remedy = "only %pi is known as a constant: make it an input";
+            Err(unsupported(ast, &format!("the constant `{name}`"), remedy))
+        }
+        _ => Ok(Expr::symbol(name)),
+    }
+}
+
+fn binary(operator: BinaryOperator, left: &Ast, right: &Ast, ast: &Ast) -> Result<Expr, LowerError> {
+    match operator {
+        BinaryOperator::Add => Ok(lower(left)?.plus(lower(right)?)),
+        BinaryOperator::Subtract => Ok(lower(left)?.minus(lower(right)?)),
+        BinaryOperator::Multiply => Ok(lower(left)?.times(lower(right)?)),
+        BinaryOperator::Divide => Ok(lower(left)?.over(lower(right)?)),
+        BinaryOperator::Power => power(left, right, ast),
+        BinaryOperator::Equal => {
+            Err(unsupported(ast, "an equation", "name the side that is meant, for example rhs(solution)"))
+        }
+        _ => Err(unsupported(ast, "this operator", "write a formula of + - * / ^ and sqrt")),
+    }
+}
+
+fn power(base: &Ast, exponent: &Ast, ast: &Ast) -> Result<Expr, LowerError> {
+    let Some(exponent_value) = constant(&lower(exponent)?) else {
+        return Err(unsupported(ast, "a power with a variable exponent", "only powers with constant exponents are closed forms here"));
+    };
+    let base = lower(base)?;
+    let numerator = exponent_value.numer().to_i64().filter(|n| n.abs() <= MAX_EXPONENT);
+    match (numerator, exponent_value.denom().to_i64()) {
+        (Some(n), Some(1)) => Ok(integer_power(base, n as i32)),
+        (Some(n), Some(2)) => {
+            let root = Expr::Sqrt(Box::new(base.clone()));
+            let whole = n.div_euclid(2);
+            Ok(if whole == 0 { root } else { integer_power(base, whole as i32).times(root) })
+        }
+        _ => Err(unsupported(
+            ast,
+            &format!("the exponent {exponent_value}"),
+            "only integers and halves are possible; give a root of a polynomial as positive_root(polynomial, x)",
+        )),
+    }
+}
+
+fn integer_power(base: Expr, exponent: i32) -> Expr {
+    match exponent {
+        0 => Expr::integer(1),
+        1 => base,
+        _ => Expr::Power(Box::new(base), exponent),
+    }
+}
+
+/// The value of an expression without variables, if it is rational.
+fn constant(expr: &Expr) -> Option<BigRational> {
+    match expr {
+        Expr::Rational(value) => Some(value.clone()),
+        Expr::Sum(items) => items.iter().map(constant).sum(),
+        Expr::Product(items) => items.iter().map(constant).product(),
+        Expr::Power(base, exponent) => {
+            let base = constant(base).filter(|b| !b.is_zero() || exponent.is_positive())?;
+            Some(base.pow(*exponent))
+        }
+        _ => None,
+    }
+}
+
+fn call(ast: &Ast) -> Result<Expr, LowerError> {
+    let Some((name, arguments)) = ast.as_call() else {
+        return Err(unsupported(ast, "this call", "write a formula of + - * / ^ sqrt abs and numbers"));
+    };
+    match (name, arguments) {
+        ("sqrt", [operand]) => Ok(Expr::Sqrt(Box::new(lower(operand)?))),
+        ("abs", [operand]) => Ok(Expr::Abs(Box::new(lower(operand)?))),
+        ("positive_root", [polynomial, unknown]) => match unknown.as_symbol() {
+            Some(unknown) => {
+                Ok(Expr::PositiveRoot { polynomial: Box::new(lower(polynomial)?), unknown: unknown.to_owned() })
+            }
+            None => Err(unsupported(unknown, "an unknown that is no variable", "write positive_root(polynomial, x)")),
+        },
+        ("sqrt" | "abs" | "positive_root", _) => Err(LowerError {
+            what: format!("`{name}` has {} arguments", arguments.len()),
+            remedy: "write sqrt(x), abs(x) or positive_root(polynomial, x)".to_owned(),
+            span: ast.span.clone(),
+        }),
+        _ => Err(LowerError {
+            what: format!("unknown function `{name}`"),
+            remedy: "known are sqrt, abs and positive_root; define any other function in the worksheet".to_owned(),
+            span: ast.span.clone(),
+        }),
+    }
+}

@@ -1,0 +1,7 @@
+//! The field of closed forms over a domain: signs, and canonical forms in which equal expressions are the same.
+
+mod sign;
+mod tower;
+
+pub use sign::{Facts, Sign, Slack};
+pub use tower::{Element, Radical, Tower, TowerError, conjugate, parts};

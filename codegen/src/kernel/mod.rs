@@ -1,0 +1,159 @@
+//! Kernels: from a contract and its reference expressions to the text of a kernel, proved equal to them.
+
+mod domain;
+mod proof;
+
+pub use proof::{ProofError, prove};
+
+use crate::expression::{Expr, LowerError, lower};
+use crate::field::{Tower, TowerError};
+use crate::program::{Node, name_steps};
+use crate::rust::{InputDoc, KernelText, RequireText, ResultText};
+use crate::stable::builder::Builder;
+use crate::stable::rules::falling_newton::{self, RootError};
+use crate::stable::stabilise;
+use crate::worksheet::contract::{Contract, KernelContract};
+use closedform_maxima::{Definition, print, to_latex};
+use thiserror::Error;
+
+/// Why no kernel can be made.
+#[derive(Debug, Error)]
+pub enum KernelError {
+    /// A reference expression uses what the generator does not know.
+    #[error("{0}")]
+    Lower(#[source] LowerError),
+    /// An expression has no canonical form.
+    #[error("`{function}` {cause}")]
+    Tower {
+        /// The function of the worksheet.
+        function: String,
+        /// Why.
+        cause: TowerError,
+    },
+    /// A domain condition has no canonical form.
+    #[error("the domain condition `{condition}` {cause}")]
+    Domain {
+        /// The condition.
+        condition: String,
+        /// Why.
+        cause: TowerError,
+    },
+    /// A polynomial root that is not shown to be unique.
+    #[error("`{function}`: {cause}")]
+    Root {
+        /// The function of the worksheet.
+        function: String,
+        /// Why.
+        cause: RootError,
+    },
+    /// A program whose error has no bound.
+    #[error("no bound for the error of `{0}` could be derived: a sum of rounded values may cancel; add the signs of its terms to the domain")]
+    Unbounded(String),
+}
+
+/// Makes a kernel.
+///
+/// # Errors
+/// See [`KernelError`].
+pub fn make(contract: &Contract, kernel: &KernelContract, references: &[Definition]) -> Result<KernelText, KernelError> {
+    let mut builder = Builder::new(Tower::new(&kernel.inputs));
+    let requires = domain::build(&mut builder, &kernel.domain)?;
+    let expressions: Vec<Expr> =
+        references.iter().map(|reference| lower(&reference.body)).collect::<Result<_, _>>().map_err(KernelError::Lower)?;
+    let outputs = outputs(&mut builder, &expressions, references)?;
+    let results = results(&builder, kernel, &outputs)?;
+    let inputs: Vec<InputDoc> = contract
+        .inputs_of(kernel)
+        .into_iter()
+        .zip(&kernel.inputs)
+        .map(|(input, maxima)| InputDoc {
+            name: input.name.clone(),
+            maxima: maxima.clone(),
+            unit: input.unit.clone(),
+            doc: input.doc.clone(),
+            typical: input.typical,
+        })
+        .collect();
+    let mut taken: Vec<String> = inputs.iter().map(|input| input.name.clone()).collect();
+    taken.push(kernel.name.clone());
+    let program = name_steps(&builder.graph, &outputs, &taken);
+    Ok(KernelText {
+        name: kernel.name.clone(),
+        doc: kernel.doc.clone(),
+        maxima: references.iter().map(definition_text).collect(),
+        latex: references.iter().map(latex).collect::<Vec<_>>().join(r" \\ "),
+        source: kernel.source.clone(),
+        branch: kernel.branch.clone(),
+        edges: kernel.edges.clone(),
+        returns: kernel.returns.clone(),
+        inputs,
+        requires,
+        results,
+        rules: builder.used_rules().iter().copied().collect(),
+        program,
+        graph: builder.graph,
+    })
+}
+
+fn definition_text(reference: &Definition) -> String {
+    format!("{}({}):={}", reference.name, reference.parameters.join(","), print(&reference.body))
+}
+
+fn latex(reference: &Definition) -> String {
+    format!("{} = {}", to_latex(&closedform_maxima::ExprKind::Symbol(reference.name.clone()).into()), to_latex(&reference.body))
+}
+
+fn outputs(builder: &mut Builder, expressions: &[Expr], references: &[Definition]) -> Result<Vec<Node>, KernelError> {
+    if let ([Expr::PositiveRoot { polynomial, unknown }], [reference]) = (expressions, references) {
+        return Ok(vec![positive_root(builder, polynomial, unknown, &reference.name)?]);
+    }
+    let mut elements = Vec::new();
+    for (expression, reference) in expressions.iter().zip(references) {
+        let element = builder.tower.canonical(expression);
+        elements.push(element.map_err(|cause| KernelError::Tower { function: reference.name.clone(), cause })?);
+    }
+    let function = references.first().map(|reference| reference.name.clone()).unwrap_or_default();
+    stabilise(builder, &elements).map_err(|cause| KernelError::Tower { function, cause })
+}
+
+fn positive_root(builder: &mut Builder, polynomial: &Expr, unknown: &str, function: &str) -> Result<Node, KernelError> {
+    let tower_error = |cause| KernelError::Tower { function: function.to_owned(), cause };
+    let (polynomial, unknown) = builder.tower.polynomial_in(polynomial, unknown).map_err(tower_error)?;
+    falling_newton::apply(builder, &polynomial, unknown)
+        .map_err(|cause| KernelError::Root { function: function.to_owned(), cause })
+}
+
+fn results(builder: &Builder, kernel: &KernelContract, outputs: &[Node]) -> Result<Vec<ResultText>, KernelError> {
+    kernel
+        .results
+        .iter()
+        .zip(outputs)
+        .map(|(result, &node)| {
+            let bound = bound_in_ulp(builder.graph.error(node));
+            let bound = bound.ok_or_else(|| KernelError::Unbounded(result.worksheet.clone()))?;
+            Ok(ResultText {
+                name: result.name.clone(),
+                worksheet: result.worksheet.clone(),
+                unit: result.unit.clone(),
+                bound,
+            })
+        })
+        .collect()
+}
+
+/// A relative error in units of 2^-53 as a bound in ulp, rounded up.
+///
+/// An error of k units is less than k ulp. A single rounding of a value that is right to far beyond 53 bits is off by half
+/// an ulp and that little more.
+fn bound_in_ulp(error: f64) -> Option<f64> {
+    let bound = if error < 1.25 { error - 0.5 } else { error };
+    error.is_finite().then(|| (bound.max(0.0) * 100.0).ceil() / 100.0)
+}
+
+impl RequireText {
+    /// A condition with the contract's text.
+    #[must_use]
+    pub fn new(condition: crate::program::Condition, text: &str) -> Self {
+        Self { condition, text: text.to_owned() }
+    }
+}

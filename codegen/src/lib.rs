@@ -1,0 +1,18 @@
+//! From Maxima reference expressions to Rust kernels: the stages of the generator, and the commands.
+
+pub mod algebra;
+pub mod catalogue;
+pub mod command;
+pub mod crate_text;
+pub mod expression;
+pub mod field;
+pub mod folder;
+pub mod kernel;
+pub mod measure;
+pub mod pipeline;
+pub mod program;
+pub mod root;
+pub mod rust;
+pub mod stable;
+pub mod worker;
+pub mod worksheet;

@@ -1,0 +1,73 @@
+//! The command `closedform`: reads its arguments and says what went wrong.
+
+use clap::{Parser, Subcommand};
+use closedform_codegen::command::{check, derive, eval, generate, list, show, verify};
+use closedform_codegen::root::{self, project_root};
+use closedform_codegen::worker::{self, Source};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Maxima derivations to Rust kernels that keep their digits
+#[derive(Parser)]
+#[command(version)]
+struct Cli {
+    /// The project, if not the one around the current folder
+    #[arg(long, global = true, value_name = "DIR")]
+    root: Option<PathBuf>,
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Generate(generate::Args),
+    Check(check::Args),
+    Derive(derive::Args),
+    List(list::Args),
+    Show(show::Args),
+    Eval(eval::Args),
+    Verify(verify::Args),
+    /// What `generate` and `check` run in a process of its own, because it needs Symbolica
+    #[command(name = worker::SUBCOMMAND, hide = true)]
+    Worker {
+        output: PathBuf,
+        #[arg(long, required_unless_present = "worksheet")]
+        folder: Option<PathBuf>,
+        #[arg(long)]
+        worksheet: Option<PathBuf>,
+        #[arg(long, requires = "folder")]
+        kernels: Option<PathBuf>,
+    },
+}
+
+fn main() -> ExitCode {
+    match run(Cli::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(report) => {
+            eprintln!("{report:?}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(cli: Cli) -> miette::Result<()> {
+    let root = || project_root(cli.root.as_deref());
+    match cli.command {
+        Command::Generate(args) => generate::run(&args, &root()?),
+        Command::Check(args) => check::run(&args, &root()?),
+        Command::Derive(args) => derive::run(&args, &root()?),
+        Command::List(args) => list::run(&args, &root()?),
+        Command::Show(args) => show::run(&args, &root()?),
+        Command::Eval(args) => eval::run(&args, &root()?),
+        Command::Verify(args) => verify::run(&args, &root()?),
+        Command::Worker { output, folder, worksheet, kernels } => {
+            let source = match (folder, worksheet, kernels) {
+                (_, Some(worksheet), _) => Source::Worksheet(worksheet),
+                (Some(folder), _, Some(kernels)) => Source::Rederived { folder, kernels },
+                (Some(folder), _, None) => Source::Folder(folder),
+                (None, None, _) => return Err(root::nothing_named()),
+            };
+            Ok(worker::work(&source, &output)?)
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! The pipeline: families in, the text of every generated file out, each kernel proved equal to its references.
+
+use crate::kernel::{KernelError, ProofError, make, prove};
+use crate::program::cost;
+use crate::rust::{KernelText, ModuleText, print_module};
+use crate::worksheet::contract::KernelContract;
+use crate::worksheet::family::Family;
+use closedform_maxima::Definition;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::Path;
+use thiserror::Error;
+
+/// Everything that was generated, in memory.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Generated {
+    /// File names below the generated folder, and their texts.
+    pub files: BTreeMap<String, String>,
+    /// What was made, in order.
+    pub kernels: Vec<Made>,
+}
+
+/// One kernel as made.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Made {
+    /// `family::name`
+    pub kernel: String,
+    /// The rules of its program.
+    pub rules: Vec<String>,
+    /// Additions, multiplications, divisions, roots, double-double operations.
+    pub operations: [usize; 5],
+    /// The largest bound of its results, in ulp.
+    pub bound: f64,
+}
+
+/// Why a family was not generated.
+#[derive(Debug, Error)]
+pub enum PipelineError {
+    /// A kernel could not be made.
+    #[error("kernel `{kernel}`: {cause}")]
+    Kernel {
+        /// `family::name`
+        kernel: String,
+        /// Why.
+        cause: KernelError,
+    },
+    /// A generated file does not read back.
+    #[error("the generated text of `{family}` does not read back: {cause}")]
+    Unreadable {
+        /// The family.
+        family: String,
+        /// Why.
+        cause: syn::Error,
+    },
+    /// A kernel is not there.
+    #[error("kernel `{0}` is not in the generated text")]
+    Missing(String),
+    /// A kernel is not proved.
+    #[error("kernel `{kernel}`: {cause}")]
+    Unproved {
+        /// `family::name`
+        kernel: String,
+        /// Why.
+        cause: ProofError,
+    },
+}
+
+/// Generates all families; `progress` is told the name of every kernel before it is made.
+///
+/// # Errors
+/// When a kernel cannot be made or is not proved.
+pub fn generate(families: &[Family], mut progress: impl FnMut(&str)) -> Result<Generated, PipelineError> {
+    let mut generated = Generated::default();
+    let mut entries = Vec::new();
+    for family in families {
+        let kernels = make_kernels(family, &mut progress)?;
+        let text = module_text(family, &kernels);
+        if let Some(cause) = unproved(family, &text)?.into_iter().next() {
+            return Err(cause);
+        }
+        generated.kernels.extend(kernels.iter().map(|kernel| made(&family.name, kernel)));
+        entries.extend(kernels.iter().map(|kernel| (family.name.clone(), kernel.name.clone())));
+        generated.files.insert(format!("{}.rs", family.name), text);
+    }
+    generated.files.insert("mod.rs".to_owned(), index_text(families, &entries));
+    Ok(generated)
+}
+
+fn make_kernels(family: &Family, progress: &mut impl FnMut(&str)) -> Result<Vec<KernelText>, PipelineError> {
+    family
+        .contract
+        .kernels
+        .iter()
+        .map(|kernel| {
+            let name = format!("{}::{}", family.name, kernel.name);
+            progress(&name);
+            let references = references_of(family, kernel);
+            make(&family.contract, kernel, &references).map_err(|cause| PipelineError::Kernel { kernel: name, cause })
+        })
+        .collect()
+}
+
+fn module_text(family: &Family, kernels: &[KernelText]) -> String {
+    print_module(&ModuleText {
+        family: &family.name,
+        title: &family.contract.family.title,
+        source: &family.contract.family.source,
+        made_from: &made_from(family),
+        kernels,
+    })
+}
+
+/// The reference expressions of a kernel, one a result.
+fn references_of(family: &Family, kernel: &KernelContract) -> Vec<Definition> {
+    let results = family.results().filter(|(owner, ..)| owner.name == kernel.name);
+    results.map(|(_, _, reference)| reference.clone()).collect()
+}
+
+fn made_from(family: &Family) -> String {
+    let file = |path: &Path| path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    if family.paths.contract.exists() {
+        format!("{} and {}", file(&family.paths.reference), file(&family.paths.contract))
+    } else {
+        file(&family.paths.worksheet)
+    }
+}
+
+/// The kernels of a family's generated text that are not proved equal to its reference expressions.
+///
+/// # Errors
+/// When the text does not read back.
+pub fn unproved(family: &Family, text: &str) -> Result<Vec<PipelineError>, PipelineError> {
+    let sources = closedform_syntax::parse_file(text)
+        .map_err(|cause| PipelineError::Unreadable { family: family.name.clone(), cause })?;
+    let mut causes = Vec::new();
+    for kernel in &family.contract.kernels {
+        let name = format!("{}::{}", family.name, kernel.name);
+        match sources.iter().find(|source| source.name == kernel.name) {
+            None => causes.push(PipelineError::Missing(name)),
+            Some(source) => {
+                let proof = prove(source, kernel, &references_of(family, kernel));
+                causes.extend(proof.err().map(|cause| PipelineError::Unproved { kernel: name, cause }));
+            }
+        }
+    }
+    Ok(causes)
+}
+
+fn made(family: &str, kernel: &KernelText) -> Made {
+    let cost = cost(&kernel.graph, &kernel.program.outputs);
+    Made {
+        kernel: format!("{family}::{}", kernel.name),
+        rules: kernel.rules.iter().map(ToString::to_string).collect(),
+        operations: [cost.additions, cost.multiplications, cost.divisions, cost.roots, cost.wide],
+        bound: kernel.results.iter().map(|result| result.bound).fold(0.0, f64::max),
+    }
+}
+
+fn index_text(families: &[Family], entries: &[(String, String)]) -> String {
+    let mut text = String::from(
+        "// Generated by `closedform generate` from the contracts: edit those and run it again, not this file.\n\
+         //! Every generated kernel.\n\nuse closedform::Kernel;\n\n",
+    );
+    for family in families {
+        text += &format!("pub mod {};\n", family.name);
+    }
+    text += "\n/// Every kernel, for tools that know none by name.\n";
+    text += &format!("pub static ALL: [&Kernel; {}] = [\n", entries.len());
+    for (family, kernel) in entries {
+        text += &format!("    &{family}::{kernel}::KERNEL,\n");
+    }
+    text += "];\n";
+    text
+}

@@ -1,0 +1,55 @@
+//! What a program costs: its operations, counted once however often a step is used.
+
+use super::{Graph, Node, Op, Wide};
+use std::collections::BTreeSet;
+
+/// Operation counts of a program.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cost {
+    /// Additions and subtractions.
+    pub additions: usize,
+    /// Multiplications.
+    pub multiplications: usize,
+    /// Divisions.
+    pub divisions: usize,
+    /// Square roots.
+    pub roots: usize,
+    /// Double-double operations.
+    pub wide: usize,
+}
+
+/// The cost of everything that some nodes need.
+#[must_use]
+pub fn cost(graph: &Graph, nodes: &[Node]) -> Cost {
+    let mut seen = BTreeSet::new();
+    let mut cost = Cost::default();
+    for &node in nodes {
+        visit(graph, node, &mut seen, &mut cost);
+    }
+    cost
+}
+
+fn visit(graph: &Graph, node: Node, seen: &mut BTreeSet<Node>, cost: &mut Cost) {
+    if !seen.insert(node) {
+        return;
+    }
+    match graph.op(node) {
+        Op::Add(..) | Op::Sub(..) => cost.additions += 1,
+        Op::Mul(..) => cost.multiplications += 1,
+        Op::Div(..) => cost.divisions += 1,
+        Op::Sqrt(_) => cost.roots += 1,
+        Op::Compensated(wide) => cost.wide += operations(wide),
+        Op::Input(_) | Op::Literal(_) | Op::Pi | Op::Neg(_) | Op::If(..) | Op::PositiveRoot(_) => {}
+    }
+    for operand in graph.operands(node) {
+        visit(graph, operand, seen, cost);
+    }
+}
+
+fn operations(wide: &Wide) -> usize {
+    match wide {
+        Wide::Leaf(_) => 0,
+        Wide::Neg(a) => operations(a),
+        Wide::Add(a, b) | Wide::Sub(a, b) | Wide::Mul(a, b) => 1 + operations(a) + operations(b),
+    }
+}

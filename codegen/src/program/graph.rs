@@ -1,0 +1,383 @@
+//! The graph of steps: equal steps are one node, and each knows its sign and a bound of its relative error.
+
+use crate::field::Sign;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+use std::collections::HashMap;
+
+/// A node of a [`Graph`], by position; operands come before the nodes that use them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Node(pub usize);
+
+/// An order relation with zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Order {
+    /// `< 0`
+    Less,
+    /// `<= 0`
+    LessOrEqual,
+    /// `> 0`
+    Greater,
+    /// `>= 0`
+    GreaterOrEqual,
+    /// `== 0`
+    Equal,
+    /// `!= 0`
+    NotEqual,
+}
+
+impl Order {
+    /// The relation of the negatives.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        match self {
+            Self::Less => Self::Greater,
+            Self::LessOrEqual => Self::GreaterOrEqual,
+            Self::Greater => Self::Less,
+            Self::GreaterOrEqual => Self::LessOrEqual,
+            Self::Equal | Self::NotEqual => self,
+        }
+    }
+}
+
+/// A condition on nodes.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Condition {
+    /// A node compared with another one.
+    Compare(Node, Order, Node),
+    /// Both hold.
+    And(Box<Condition>, Box<Condition>),
+    /// One holds.
+    Or(Box<Condition>, Box<Condition>),
+    /// It does not hold.
+    Not(Box<Condition>),
+}
+
+/// A polynomial that is evaluated in double-double and rounded once.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Wide {
+    /// An operand that counts as exact.
+    Leaf(Node),
+    /// The negative.
+    Neg(Box<Wide>),
+    /// The sum.
+    Add(Box<Wide>, Box<Wide>),
+    /// The difference.
+    Sub(Box<Wide>, Box<Wide>),
+    /// The product.
+    Mul(Box<Wide>, Box<Wide>),
+}
+
+/// What a step does.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Op {
+    /// An input, by position.
+    Input(usize),
+    /// A constant that `f64` holds exactly.
+    Literal(BigRational),
+    /// The circle constant.
+    Pi,
+    /// The negative.
+    Neg(Node),
+    /// The sum.
+    Add(Node, Node),
+    /// The difference.
+    Sub(Node, Node),
+    /// The product.
+    Mul(Node, Node),
+    /// The quotient.
+    Div(Node, Node),
+    /// The square root.
+    Sqrt(Node),
+    /// One of two values.
+    If(Condition, Node, Node),
+    /// A polynomial that may cancel, in double-double.
+    Compensated(Wide),
+    /// The one positive root of a polynomial, from its coefficients, lowest power first.
+    PositiveRoot(Vec<Node>),
+}
+
+#[derive(Clone, Debug)]
+struct Step {
+    op: Op,
+    sign: Sign,
+    error: f64,
+    rule: Option<&'static str>,
+}
+
+/// The steps of a kernel.
+#[derive(Default)]
+pub struct Graph {
+    steps: Vec<Step>,
+    index: HashMap<Op, Node>,
+}
+
+/// What a rounding to nearest adds to a relative error, in units of 2^-53.
+const ROUNDING: f64 = 1.0;
+
+/// How far the double-double evaluation of a polynomial may be off before its rounding, in units of 2^-53, as long as
+/// its terms cancel by less than a factor of 2^40.
+const COMPENSATED: f64 = 1.0 + 0.001;
+
+impl Graph {
+    /// What a node does.
+    #[must_use]
+    pub fn op(&self, node: Node) -> &Op {
+        &self.steps[node.0].op
+    }
+
+    /// The sign of a node on the domain.
+    #[must_use]
+    pub fn sign(&self, node: Node) -> Sign {
+        self.steps[node.0].sign
+    }
+
+    /// A bound of the relative error of a node, in units of 2^-53, barring overflow and underflow.
+    #[must_use]
+    pub fn error(&self, node: Node) -> f64 {
+        self.steps[node.0].error
+    }
+
+    /// The rule that made a node.
+    #[must_use]
+    pub fn rule(&self, node: Node) -> Option<&'static str> {
+        self.steps[node.0].rule
+    }
+
+    /// Names the rule that made a node, unless another one did before.
+    pub fn mark(&mut self, node: Node, rule: &'static str) {
+        self.steps[node.0].rule.get_or_insert(rule);
+    }
+
+    fn push(&mut self, op: Op, sign: Sign, error: f64) -> Node {
+        if let Some(&node) = self.index.get(&op) {
+            let step = &mut self.steps[node.0];
+            step.sign = step.sign & sign;
+            step.error = step.error.min(error);
+            return node;
+        }
+        let node = Node(self.steps.len());
+        self.index.insert(op.clone(), node);
+        self.steps.push(Step { op, sign, error, rule: None });
+        node
+    }
+
+    /// Intersects what is known of a node's sign.
+    pub fn learn(&mut self, node: Node, sign: Sign) {
+        self.steps[node.0].sign = self.steps[node.0].sign & sign;
+    }
+
+    /// An input.
+    pub fn input(&mut self, index: usize, sign: Sign) -> Node {
+        self.push(Op::Input(index), sign, 0.0)
+    }
+
+    /// The circle constant, rounded.
+    pub fn pi(&mut self) -> Node {
+        self.push(Op::Pi, Sign::POSITIVE, ROUNDING)
+    }
+
+    /// A constant, as a literal where `f64` holds it exactly and as a quotient of literals otherwise.
+    pub fn constant(&mut self, value: &BigRational) -> Node {
+        if is_exact(value) {
+            return self.push(Op::Literal(value.clone()), Sign::of(value), 0.0);
+        }
+        let numerator = self.integer_constant(&BigRational::from_integer(value.numer().clone()));
+        let denominator = self.integer_constant(&BigRational::from_integer(value.denom().clone()));
+        self.div(numerator, denominator)
+    }
+
+    /// An integer of any size: those beyond 53 bits are rounded once.
+    fn integer_constant(&mut self, value: &BigRational) -> Node {
+        if is_exact(value) {
+            return self.push(Op::Literal(value.clone()), Sign::of(value), 0.0);
+        }
+        let rounded = value.to_f64().and_then(BigRational::from_float).unwrap_or_else(BigRational::zero);
+        self.push(Op::Literal(rounded), Sign::of(value), ROUNDING)
+    }
+
+    /// The value of a literal.
+    #[must_use]
+    pub fn literal(&self, node: Node) -> Option<&BigRational> {
+        match self.op(node) {
+            Op::Literal(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// The negative, without a step where another sign of the operands does it.
+    pub fn neg(&mut self, a: Node) -> Node {
+        match self.op(a).clone() {
+            Op::Literal(value) => self.constant(&-value),
+            Op::Neg(inner) => inner,
+            Op::Sub(x, y) => {
+                let turned = self.sub(y, x);
+                self.with_error(turned, -self.sign(a), self.error(a))
+            }
+            _ => self.push(Op::Neg(a), -self.sign(a), self.error(a)),
+        }
+    }
+
+    /// The sum. Its error bound holds if the terms have one sign, or if both are exact.
+    pub fn add(&mut self, a: Node, b: Node) -> Node {
+        match (self.op(a).clone(), self.op(b).clone()) {
+            (_, Op::Neg(b)) => self.sub(a, b),
+            (Op::Neg(a), _) => self.sub(b, a),
+            _ => {
+                let error = self.error_of_sum(a, b, self.sign(a).plus(self.sign(b)).is_definite());
+                self.push(Op::Add(a, b), self.sign(a).plus(self.sign(b)), error)
+            }
+        }
+    }
+
+    /// The difference. Its error bound holds if the terms have opposite signs, or if both are exact.
+    pub fn sub(&mut self, a: Node, b: Node) -> Node {
+        if let Op::Neg(b) = *self.op(b) {
+            return self.add(a, b);
+        }
+        let sign = self.sign(a).plus(-self.sign(b));
+        let error = self.error_of_sum(a, b, sign.is_definite());
+        self.push(Op::Sub(a, b), sign, error)
+    }
+
+    fn error_of_sum(&self, a: Node, b: Node, same_sign: bool) -> f64 {
+        let worst = self.error(a).max(self.error(b));
+        if worst == 0.0 || same_sign { worst + ROUNDING } else { f64::INFINITY }
+    }
+
+    /// The product.
+    pub fn mul(&mut self, a: Node, b: Node) -> Node {
+        for (one, other) in [(a, b), (b, a)] {
+            if let Some(value) = self.literal(one) {
+                if value.is_one() {
+                    return other;
+                }
+                if (-value).is_one() {
+                    return self.neg(other);
+                }
+            }
+        }
+        if let (Some(x), Some(y)) = (self.literal(a), self.literal(b)) {
+            let product = x * y;
+            if is_exact(&product) {
+                return self.constant(&product);
+            }
+        }
+        let exact = self.is_power_of_two(a) || self.is_power_of_two(b);
+        let error = self.error(a) + self.error(b) + if exact { 0.0 } else { ROUNDING };
+        self.push(Op::Mul(a, b), self.sign(a) * self.sign(b), error)
+    }
+
+    /// The quotient.
+    pub fn div(&mut self, a: Node, b: Node) -> Node {
+        if let Some(value) = self.literal(b) {
+            if value.is_one() {
+                return a;
+            }
+            if self.is_power_of_two(b) {
+                let reciprocal = value.recip();
+                let reciprocal = self.constant(&reciprocal);
+                return self.mul(reciprocal, a);
+            }
+        }
+        let error = self.error(a) + self.error(b) + ROUNDING;
+        self.push(Op::Div(a, b), self.sign(a) * self.sign(b), error)
+    }
+
+    /// The square root.
+    pub fn sqrt(&mut self, a: Node) -> Node {
+        let sign = self.sign(a) & Sign::NONNEGATIVE;
+        let error = 0.5 * self.error(a) + ROUNDING;
+        self.push(Op::Sqrt(a), sign, error)
+    }
+
+    /// One of two values.
+    pub fn select(&mut self, condition: Condition, then: Node, otherwise: Node) -> Node {
+        if then == otherwise {
+            return then;
+        }
+        let sign = self.sign(then).or(self.sign(otherwise));
+        let error = self.error(then).max(self.error(otherwise));
+        self.push(Op::If(condition, then, otherwise), sign, error)
+    }
+
+    /// A polynomial in double-double, rounded once; its leaves count as exact.
+    pub fn compensated(&mut self, wide: Wide, sign: Sign) -> Node {
+        self.push(Op::Compensated(wide), sign, COMPENSATED)
+    }
+
+    /// The one positive root of a polynomial; `error` bounds its relative error.
+    pub fn positive_root(&mut self, coefficients: Vec<Node>, error: f64) -> Node {
+        self.push(Op::PositiveRoot(coefficients), Sign::POSITIVE, error)
+    }
+
+    /// A step whose error bound has another proof than its operands' bounds.
+    pub fn with_error(&mut self, node: Node, sign: Sign, error: f64) -> Node {
+        self.steps[node.0].sign = sign;
+        self.steps[node.0].error = error;
+        node
+    }
+
+    fn is_power_of_two(&self, node: Node) -> bool {
+        self.literal(node).is_some_and(is_power_of_two)
+    }
+
+    /// The operands of a node, in order.
+    #[must_use]
+    pub fn operands(&self, node: Node) -> Vec<Node> {
+        match self.op(node) {
+            Op::Input(_) | Op::Literal(_) | Op::Pi => Vec::new(),
+            Op::Neg(a) | Op::Sqrt(a) => vec![*a],
+            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => vec![*a, *b],
+            Op::If(condition, a, b) => {
+                let mut nodes = condition.nodes();
+                nodes.extend([*a, *b]);
+                nodes
+            }
+            Op::Compensated(wide) => wide.leaves(),
+            Op::PositiveRoot(coefficients) => coefficients.clone(),
+        }
+    }
+}
+
+impl Condition {
+    /// The nodes that are compared.
+    #[must_use]
+    pub fn nodes(&self) -> Vec<Node> {
+        match self {
+            Self::Compare(a, _, b) => vec![*a, *b],
+            Self::And(a, b) | Self::Or(a, b) => [a.nodes(), b.nodes()].concat(),
+            Self::Not(a) => a.nodes(),
+        }
+    }
+}
+
+impl Wide {
+    /// The operands.
+    #[must_use]
+    pub fn leaves(&self) -> Vec<Node> {
+        match self {
+            Self::Leaf(node) => vec![*node],
+            Self::Neg(a) => a.leaves(),
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) => [a.leaves(), b.leaves()].concat(),
+        }
+    }
+}
+
+/// Whether `f64` holds the number exactly, well inside its range.
+#[must_use]
+pub fn is_exact(value: &BigRational) -> bool {
+    let bits = value.numer().bits();
+    let trailing = value.numer().trailing_zeros().unwrap_or(0);
+    is_power_of_two(&BigRational::from_integer(value.denom().clone()))
+        && bits - trailing <= 53
+        && bits < 900
+        && value.denom().bits() < 900
+}
+
+/// Whether the number is a power of two, or the negative of one.
+#[must_use]
+pub fn is_power_of_two(value: &BigRational) -> bool {
+    let single_bit = |n: &num_bigint::BigInt| n.abs().magnitude().count_ones() == 1;
+    !value.is_zero() && single_bit(value.numer()) && single_bit(value.denom())
+}

@@ -1,0 +1,9 @@
+//! Programs: straight-line computations as a graph of steps, with what is known of each step's sign and error.
+
+mod cost;
+mod graph;
+mod naming;
+
+pub use cost::{Cost, cost};
+pub use graph::{Condition, Graph, Node, Op, Order, Wide, is_exact, is_power_of_two};
+pub use naming::{Let, Program, name_steps};

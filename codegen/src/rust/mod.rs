@@ -1,0 +1,7 @@
+//! Rust source: prints programs as kernels; decides nothing.
+
+mod expression;
+mod module;
+
+pub use expression::Printer;
+pub use module::{InputDoc, KernelText, ModuleText, RequireText, ResultText, print_module};

@@ -1,0 +1,29 @@
+//! Rule `compensated`: what may cancel and cannot be rewritten is evaluated in double-double.
+
+use super::Rule;
+use crate::algebra::Polynomial;
+use crate::field::{Sign, TowerError};
+use crate::program::Node;
+use crate::stable::builder::Builder;
+
+/// The rule.
+pub const RULE: Rule = Rule {
+    name: "compensated",
+    statement: "p(x, y, ..) is evaluated in double-double and rounded once",
+    condition: "p is a polynomial whose operands are exact: inputs, or values that define the problem",
+};
+
+/// The polynomial in double-double; the slice is positive where the domain makes it so.
+///
+/// # Errors
+/// When the tower has no room left.
+pub fn apply(builder: &mut Builder, polynomial: &Polynomial) -> Result<Node, TowerError> {
+    let sign = builder.tower.facts.sign(polynomial);
+    let turned = sign.is(Sign::NONPOSITIVE);
+    let (polynomial, sign) = if turned { (&polynomial.negated(), -sign) } else { (polynomial, sign) };
+    let (content, wide) = builder.wide(polynomial)?;
+    let slice = builder.graph.compensated(wide, sign);
+    builder.apply(&RULE, slice);
+    let content = builder.graph.constant(&if turned { -content } else { content });
+    Ok(builder.graph.mul(content, slice))
+}

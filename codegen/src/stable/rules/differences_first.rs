@@ -1,0 +1,48 @@
+//! Rule `differences-first`: what depends on two inputs only through their difference takes the difference first.
+
+use super::Rule;
+use crate::algebra::{Polynomial, Var};
+use crate::field::TowerError;
+use crate::stable::builder::Builder;
+
+/// The rule.
+pub const RULE: Rule = Rule {
+    name: "differences-first",
+    statement: "p(x1, x0, ..) = q(x1 - x0, ..)",
+    condition: "p(x1 + h, x0 + h, ..) = p(x1, x0, ..) for every h; the difference of two inputs is exact in double-double",
+};
+
+/// The polynomial in differences of inputs, each standing in place of the two.
+///
+/// # Errors
+/// When the tower has no room left.
+pub fn group(builder: &mut Builder, polynomial: &Polynomial) -> Result<Polynomial, TowerError> {
+    let mut grouped = polynomial.clone();
+    let inputs: Vec<Var> = polynomial.variables().into_iter().filter(|v| v.0 < builder.tower.inputs()).collect();
+    for (position, &low) in inputs.iter().enumerate() {
+        for &high in &inputs[position + 1..] {
+            if let Some(rewritten) = through_difference(builder, &grouped, high, low)? {
+                grouped = rewritten;
+            }
+        }
+    }
+    Ok(grouped)
+}
+
+fn through_difference(
+    builder: &mut Builder,
+    polynomial: &Polynomial,
+    high: Var,
+    low: Var,
+) -> Result<Option<Polynomial>, TowerError> {
+    if !polynomial.contains(high) || !polynomial.contains(low) || polynomial.len() == 2 {
+        return Ok(None);
+    }
+    let ring = polynomial.ring();
+    let shifted = polynomial.substituted(high, &ring.variable(high).plus(&ring.variable(low)));
+    if shifted.contains(low) {
+        return Ok(None);
+    }
+    let difference = builder.difference(high, low)?;
+    Ok(Some(shifted.substituted(high, &ring.variable(difference))))
+}

@@ -1,0 +1,78 @@
+//! Rule `merge-roots`: a product of square roots, and a quotient by a factor of the radicand, become one root.
+
+use super::Rule;
+use crate::algebra::Polynomial;
+use crate::field::{Radical, Sign, TowerError, parts};
+use crate::program::Node;
+use crate::stable::builder::{Builder, Factor, Quotient};
+
+/// The rule.
+pub const RULE: Rule = Rule {
+    name: "merge-roots",
+    statement: "sqrt(a)*sqrt(b) = sqrt(a*b), and sqrt(a*b)/a = sqrt(b/a)",
+    condition: "a and b are nonnegative; a is positive where it divides",
+};
+
+/// `surd*sqrt(r)` times a quotient, with one root for all that `surd` contains as factors.
+///
+/// # Errors
+/// When the tower has no room left.
+pub fn apply(
+    builder: &mut Builder,
+    surd: &Polynomial,
+    radical: &Radical,
+    mut quotient: Quotient,
+) -> Result<Node, TowerError> {
+    let mut inside = Quotient::one();
+    let mut rest = surd.clone();
+    let mut next = Some(radical.clone());
+    let mut merged = 0;
+    while let Some(root) = next {
+        if builder.tower.top_radical(&root.radicand).is_some() {
+            let node = builder.variable(root.var)?;
+            quotient.multiply_node(node, 1);
+        } else {
+            inside.multiply(&root.radicand, 1);
+            merged += 1;
+        }
+        next = builder.tower.top_radical(&rest).cloned();
+        if let Some(root) = &next {
+            let (rational, surd) = parts(&rest, root.var);
+            if !rational.is_zero() {
+                break;
+            }
+            rest = surd;
+        }
+    }
+    let moved = move_denominators(builder, &mut inside, &mut quotient);
+    if merged > 0 {
+        let radicand = builder.assemble(&inside)?;
+        let root = builder.graph.sqrt(radicand);
+        if merged > 1 || moved {
+            builder.apply(&RULE, root);
+        } else {
+            builder.stand_for(radical.var, root);
+        }
+        quotient.multiply_node(root, 1);
+    }
+    builder.surd(&rest, quotient)
+}
+
+/// Takes positive factors that the root shares with the denominator under the root.
+fn move_denominators(builder: &Builder, inside: &mut Quotient, quotient: &mut Quotient) -> bool {
+    let mut moved = false;
+    for (factor, power) in &mut inside.powers {
+        let Factor::Polynomial(polynomial) = factor else { continue };
+        if !builder.tower.facts.sign(polynomial).is(Sign::POSITIVE) || *power != 1 {
+            continue;
+        }
+        let below = quotient.powers.iter_mut().find(|(f, e)| matches!(f, Factor::Polynomial(p) if p == polynomial) && *e < 0);
+        if let Some((_, exponent)) = below {
+            *exponent += 1;
+            *power -= 2;
+            moved = true;
+        }
+    }
+    quotient.powers.retain(|(_, power)| *power != 0);
+    moved
+}

@@ -1,0 +1,37 @@
+//! The rules: named rewrites that keep digits, each with the condition under which it holds.
+
+pub mod compensated;
+pub mod conjugate;
+pub mod differences_first;
+pub mod factored;
+pub mod falling_newton;
+pub mod known_sum;
+pub mod merge_roots;
+pub mod same_sign_radicand;
+pub mod sign_branch;
+pub mod through_result;
+
+/// A named rewrite.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Rule {
+    /// The name, as it stands in contracts, comments and ledgers.
+    pub name: &'static str,
+    /// What it does, as an equation where there is one.
+    pub statement: &'static str,
+    /// When it may be used.
+    pub condition: &'static str,
+}
+
+/// Every rule, in alphabetical order.
+pub const ALL: [&Rule; 10] = [
+    &compensated::RULE,
+    &conjugate::RULE,
+    &differences_first::RULE,
+    &factored::RULE,
+    &falling_newton::RULE,
+    &known_sum::RULE,
+    &merge_roots::RULE,
+    &same_sign_radicand::RULE,
+    &sign_branch::RULE,
+    &through_result::RULE,
+];

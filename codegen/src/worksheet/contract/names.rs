@@ -1,0 +1,120 @@
+//! Names that generated Rust can carry.
+
+use thiserror::Error;
+
+/// Every keyword of edition 2024, strict and reserved.
+const KEYWORDS: &[&str] = &[
+    "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate", "do", "dyn", "else",
+    "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match", "mod",
+    "move", "mut", "override", "priv", "pub", "ref", "return", "self", "static", "struct", "super", "trait", "true",
+    "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+];
+
+/// Names that mean something in the kernel language, in the code that `#[kernel]` makes of it, or to every Rust program.
+const TAKEN: &[&str] = &[
+    "abs", "alloc", "batch", "bool", "char", "checked", "closedform", "compensated", "core", "evaluate", "f128", "f16",
+    "f32", "f64", "i128", "i16", "i32", "i64", "i8", "isize", "kernel", "positive_root", "require", "sqrt", "std",
+    "str", "u128", "u16", "u32", "u64", "u8", "usize",
+];
+
+/// Type names that generated code or its users already have.
+const TAKEN_TYPES: &[&str] =
+    &["Clone", "Copy", "Debug", "DomainError", "Err", "Info", "Kernel", "None", "Ok", "Option", "Real", "Result", "Self", "Some"];
+
+/// Why a name cannot be used in generated Rust.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum RustNameError {
+    /// Not `snake_case`.
+    #[error("is not a snake_case name")]
+    NotSnakeCase,
+    /// A keyword.
+    #[error("is a Rust keyword")]
+    Keyword,
+    /// Would clash with what is generated beside it.
+    #[error("clashes with a name that the generated code uses")]
+    Taken,
+    /// Not `UpperCamelCase`.
+    #[error("is not an UpperCamelCase name")]
+    NotCamelCase,
+}
+
+/// Checks the name of a family, kernel, input or field.
+pub fn rust_name(name: &str) -> Result<(), RustNameError> {
+    if !is_snake_case(name) {
+        Err(RustNameError::NotSnakeCase)
+    } else if KEYWORDS.contains(&name) {
+        Err(RustNameError::Keyword)
+    } else if TAKEN.contains(&name) {
+        Err(RustNameError::Taken)
+    } else {
+        Ok(())
+    }
+}
+
+/// Checks the name of a struct.
+pub(super) fn type_name(name: &str) -> Result<(), RustNameError> {
+    if !is_camel_case(name) {
+        Err(RustNameError::NotCamelCase)
+    } else if TAKEN_TYPES.contains(&name) {
+        Err(RustNameError::Taken)
+    } else {
+        Ok(())
+    }
+}
+
+/// The snake_case name of a Maxima name: `tOut` is `t_out`, `a2Max` is `a2_max`, `T2` is `t2`.
+pub fn snake_case(maxima: &str) -> String {
+    let mut name = String::new();
+    let mut previous = '_';
+    for c in maxima.chars() {
+        let starts_word = c.is_uppercase() && (previous.is_lowercase() || previous.is_numeric());
+        if (starts_word || !c.is_alphanumeric()) && previous != '_' {
+            name.push('_');
+        }
+        if c.is_alphanumeric() {
+            name.extend(c.to_lowercase());
+        }
+        previous = if c.is_alphanumeric() { c } else { '_' };
+    }
+    name.trim_matches('_').to_owned()
+}
+
+fn is_snake_case(name: &str) -> bool {
+    let words_filled = name.split('_').all(|word| !word.is_empty());
+    let starts_with_letter = name.starts_with(|c: char| c.is_ascii_lowercase());
+    words_filled && starts_with_letter && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+}
+
+fn is_camel_case(name: &str) -> bool {
+    name.starts_with(|c: char| c.is_ascii_uppercase()) && name.chars().all(|c| c.is_ascii_alphanumeric())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keywords_and_generated_names_are_refused() {
+        assert_eq!(rust_name("gen"), Err(RustNameError::Keyword));
+        assert_eq!(rust_name("batch"), Err(RustNameError::Taken));
+        assert_eq!(rust_name("f64"), Err(RustNameError::Taken));
+        for name in ["", "_", "_a", "a_", "a__b", "2a", "tOut", "é"] {
+            assert_eq!(rust_name(name), Err(RustNameError::NotSnakeCase), "{name}");
+        }
+        for name in ["t_out", "a2_max", "v0", "x"] {
+            assert_eq!(rust_name(name), Ok(()), "{name}");
+        }
+        assert_eq!(type_name("ramp"), Err(RustNameError::NotCamelCase));
+        assert_eq!(type_name("Self"), Err(RustNameError::Taken));
+        assert_eq!(type_name("Ramp2"), Ok(()));
+    }
+
+    #[test]
+    fn maxima_names_become_snake_case() {
+        let pairs =
+            [("tOut", "t_out"), ("a2Max", "a2_max"), ("T2", "t2"), ("s_t1_1", "s_t1_1"), ("T_", "t"), ("aMAX", "a_max"), ("%pi2", "pi2")];
+        for (maxima, rust) in pairs {
+            assert_eq!(snake_case(maxima), rust);
+        }
+    }
+}

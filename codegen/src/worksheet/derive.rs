@@ -1,0 +1,204 @@
+//! Derivation: Maxima runs a worksheet and prints reference expressions and golden values.
+
+mod decimal;
+mod driver;
+mod error;
+mod reply;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use closedform_maxima::Definition;
+
+pub use error::{DeriveError, PointFailure};
+
+use super::contract::{self, Contract, KernelContract};
+use super::family::{Paths, check_references};
+use super::files;
+use super::golden::{self, GoldenValue};
+use super::maxima_process::Maxima;
+use super::sample::sample;
+use driver::Task;
+use reply::Reply;
+
+/// How golden values are made.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Options {
+    /// Which Maxima.
+    pub maxima: Maxima,
+    /// Points a kernel.
+    pub points: usize,
+    /// Seed of the points.
+    pub seed: u64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { maxima: Maxima::default(), points: 24, seed: 0x636c_6f73_6564 }
+    }
+}
+
+/// How many more points are at hand than wanted, for those where a formula has no value.
+const SPARE: usize = 3;
+
+/// What was derived, not yet written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Derived {
+    /// The text of `NAME.ref`.
+    pub reference: String,
+    /// The text of `NAME.tsv`.
+    pub golden: String,
+    /// The reference expressions, in contract order.
+    pub definitions: Vec<Definition>,
+    /// The golden values.
+    pub values: Vec<GoldenValue>,
+    /// The files of the family.
+    pub paths: Paths,
+}
+
+/// A golden value that Maxima no longer agrees with.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Disagreement {
+    /// What the file says.
+    pub golden: GoldenValue,
+    /// What Maxima computes now, or why it computes nothing.
+    pub now: Result<String, PointFailure>,
+}
+
+impl Derived {
+    /// Writes `NAME.ref` and `NAME.tsv`, both or none.
+    pub fn write(&self) -> Result<(), DeriveError> {
+        let files = [(&*self.paths.reference, &*self.reference), (&*self.paths.golden, &*self.golden)];
+        Ok(files::write_all(&files)?)
+    }
+}
+
+/// Derives reference expressions and golden values of a family; writes nothing.
+pub fn derive(folder: &Path, name: &str, options: &Options) -> Result<Derived, DeriveError> {
+    let paths = Paths::new(folder, name);
+    let contract = contract::load(&paths.contract)?;
+    let tasks: Vec<Task> =
+        contract.kernels.iter().map(|kernel| sampled(&contract, kernel, options)).collect::<Result<_, _>>()?;
+    let reply = ask(&paths, &contract, &tasks, options)?;
+    let reference = reference_text(name, &reply, &contract, &paths)?;
+    let definitions = check_references(&paths.reference, &reference, &contract)?;
+    let mut values = Vec::new();
+    for (index, (kernel, task)) in contract.kernels.iter().zip(&tasks).enumerate() {
+        values.extend(golden_values(kernel, task, reply.values(index))?);
+    }
+    let golden = header(name, "golden values", &reply.version, "# ", "") + golden::print(&values).as_str();
+    Ok(Derived { reference, golden, definitions, values, paths })
+}
+
+/// Derives the reference expressions alone, in contract order.
+pub fn rederive(folder: &Path, name: &str, options: &Options) -> Result<Vec<Definition>, DeriveError> {
+    let paths = Paths::new(folder, name);
+    let contract = contract::load(&paths.contract)?;
+    let reply = ask(&paths, &contract, &[], options)?;
+    let text = reference_text(name, &reply, &contract, &paths)?;
+    Ok(check_references(&paths.reference, &text, &contract)?)
+}
+
+/// Computes the golden values of a family again; every one that no longer agrees is named.
+pub fn compare_golden(folder: &Path, name: &str, options: &Options) -> Result<Vec<Disagreement>, DeriveError> {
+    let paths = Paths::new(folder, name);
+    let contract = contract::load(&paths.contract)?;
+    let golden = golden::load(&paths.golden)?;
+    let mut by_function: BTreeMap<&str, Vec<&GoldenValue>> = BTreeMap::new();
+    for value in &golden {
+        by_function.entry(&value.worksheet).or_default().push(value);
+    }
+    let mut tasks = Vec::new();
+    for (worksheet, values) in &by_function {
+        tasks.push(again(&contract, worksheet, values)?);
+    }
+    let reply = ask(&paths, &contract, &tasks, options)?;
+    let mut disagreements = Vec::new();
+    for (index, values) in by_function.values().enumerate() {
+        let now = reply.values(index).map(|(_, results)| results.into_iter().next());
+        disagreements.extend(values.iter().zip(now).filter_map(|(golden, now)| disagreement(golden, now?)));
+    }
+    Ok(disagreements)
+}
+
+fn disagreement(golden: &GoldenValue, now: Result<String, PointFailure>) -> Option<Disagreement> {
+    let agrees = now.as_ref().is_ok_and(|now| decimal::agree(now, &golden.value));
+    (!agrees).then(|| Disagreement { golden: golden.clone(), now })
+}
+
+fn ask(paths: &Paths, contract: &Contract, tasks: &[Task], options: &Options) -> Result<Reply, DeriveError> {
+    let messages = options.maxima.run(&paths.worksheet, &driver::driver(contract, tasks))?;
+    Ok(Reply::read(messages))
+}
+
+/// The task to compute all results of a kernel at points of its domain.
+fn sampled(contract: &Contract, kernel: &KernelContract, options: &Options) -> Result<Task, DeriveError> {
+    let count = SPARE * options.points;
+    let points = sample(&kernel.domain, &contract.inputs_of(kernel), count, options.seed)
+        .map_err(|cause| DeriveError::EmptyDomain { kernel: kernel.name.clone(), cause })?;
+    let results = kernel.results.iter().map(|result| result.worksheet.clone()).collect();
+    Ok(Task { results, inputs: kernel.inputs.clone(), points, wanted: options.points })
+}
+
+/// The task to compute golden values of one function again.
+fn again(contract: &Contract, worksheet: &str, values: &[&GoldenValue]) -> Result<Task, DeriveError> {
+    let kernel = contract.results().find(|(_, result)| result.worksheet == worksheet).map(|(kernel, _)| kernel);
+    let inputs = kernel.map(|kernel| kernel.inputs.clone()).unwrap_or_default();
+    let same = |value: &&GoldenValue| value.inputs.iter().map(|(name, _)| name).eq(&inputs);
+    if !values.iter().all(same) {
+        return Err(DeriveError::StaleGolden { worksheet: worksheet.to_owned() });
+    }
+    let points = values.iter().map(|value| value.inputs.iter().map(|(_, value)| *value).collect()).collect();
+    Ok(Task { results: vec![worksheet.to_owned()], inputs, points, wanted: usize::MAX })
+}
+
+/// The golden values of a kernel, from what Maxima said of each point.
+fn golden_values(
+    kernel: &KernelContract,
+    task: &Task,
+    said: impl Iterator<Item = (usize, Vec<Result<String, PointFailure>>)>,
+) -> Result<Vec<GoldenValue>, DeriveError> {
+    let mut values = Vec::new();
+    let mut skipped = Vec::new();
+    for (point, results) in said {
+        let inputs = || task.inputs.iter().cloned().zip(task.points[point].iter().copied()).collect::<Vec<_>>();
+        match results.into_iter().collect::<Result<Vec<String>, PointFailure>>() {
+            Ok(results) => values.extend(kernel.results.iter().zip(results).map(|(result, value)| GoldenValue {
+                worksheet: result.worksheet.clone(),
+                inputs: inputs(),
+                value,
+            })),
+            Err(failure) if failure.is_fatal() => {
+                let kernel = kernel.name.clone();
+                return Err(DeriveError::Point { kernel, failure, point: error::spell(&inputs()) });
+            }
+            Err(failure) => skipped.push((failure, inputs())),
+        }
+    }
+    let found = values.len() / kernel.results.len().max(1);
+    match skipped.first() {
+        Some((failure, inputs)) if found < task.wanted.min(task.points.len()) => Err(DeriveError::TooFewPoints {
+            kernel: kernel.name.clone(),
+            found,
+            wanted: task.wanted,
+            failure: failure.clone(),
+            point: error::spell(inputs),
+        }),
+        _ => Ok(values),
+    }
+}
+
+fn reference_text(name: &str, reply: &Reply, contract: &Contract, paths: &Paths) -> Result<String, DeriveError> {
+    let header = header(name, "reference expressions", &reply.version, "/* ", " */");
+    Ok(header + reply.references(contract, paths)?.as_str())
+}
+
+fn header(name: &str, what: &str, version: &str, open: &str, close: &str) -> String {
+    format!(
+        "{open}{what}, written by `closedform derive {name}` from {name}.mac and {name}.toml; do not edit{close}\n\
+         {open}Maxima {version}{close}\n"
+    )
+}
+
+#[cfg(test)]
+mod tests;

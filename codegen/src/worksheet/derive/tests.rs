@@ -1,0 +1,169 @@
+//! Derivation with a real Maxima, and one clear error for each way in which a worksheet can fail.
+
+use std::time::Duration;
+
+use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme};
+
+use super::*;
+
+const CONTRACT: &str = r#"[family]
+title = "A family"
+[inputs]
+x = { name = "x", unit = "m", typical = [1e-2, 1e2] }
+y = { name = "y", unit = "m", typical = [1e-2, 1e2] }
+[[kernel]]
+name = "difference"
+doc = "Difference."
+inputs = ["x", "y"]
+domain = ["x >= 0", "y >= x"]
+returns = "Difference"
+[[kernel.result]]
+name = "of_roots"
+worksheet = "d"
+unit = "1"
+[[kernel.result]]
+name = "root"
+worksheet = "r"
+unit = "1"
+"#;
+
+const WORKSHEET: &str = "/* é */ assume(x > 0)$ x: 3$ d(x,y) := sqrt(y) - sqrt(x^2)/sqrt(x)$\n\
+    define(r('x,'y), positive_root('(z^2 + y*z - (x+1)), z))$ fpprintprec: 4$ linel: 20$ numer: true$ e: 5$";
+
+fn folder(worksheet: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("family.mac"), worksheet).unwrap();
+    std::fs::write(folder.path().join("family.toml"), CONTRACT).unwrap();
+    folder
+}
+
+fn options(limit: Duration) -> Options {
+    let maxima = Maxima { limit, ..Maxima::default() };
+    Options { maxima, ..Options::default() }
+}
+
+/// The report of a derivation that must fail and leave its folder as it was.
+#[track_caller]
+fn failure(worksheet: &str, limit: Duration) -> String {
+    let folder = folder(worksheet);
+    let error = derive(folder.path(), "family", &options(limit)).unwrap_err();
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2, "the folder has changed");
+    report(&error).replace(&folder.path().display().to_string(), "FOLDER")
+}
+
+fn report(error: &dyn Diagnostic) -> String {
+    let mut drawn = String::new();
+    let handler = GraphicalReportHandler::new_themed(GraphicalTheme::none()).with_width(120);
+    handler.render_report(&mut drawn, error).unwrap();
+    drawn
+}
+
+#[track_caller]
+fn fails(worksheet: &str, words: &[&str]) {
+    let report = failure(worksheet, Duration::from_secs(60));
+    for word in words {
+        assert!(report.contains(word), "`{word}` is not in\n{report}");
+    }
+}
+
+#[test]
+fn a_family_is_derived_written_and_confirmed() {
+    let folder = folder(WORKSHEET);
+    let options = Options { points: 50, ..Options::default() };
+    let derived = derive(folder.path(), "family", &options).unwrap();
+    let lines: Vec<&str> = derived.reference.lines().collect();
+    assert!(lines[0].starts_with("/* reference expressions, written by `closedform derive family`"), "{}", lines[0]);
+    assert!(lines[1].starts_with("/* Maxima 5."), "{}", lines[1]);
+    assert_eq!(lines[2], "d(x,y):=sqrt(y)-sqrt(x)$");
+    assert_eq!(lines[3], "r(x,y):=positive_root(z^2+y*z-x-1,z)$");
+    assert_eq!(derived.values.len(), 2 * options.points);
+    let equal: Vec<_> = derived.values.iter().filter(|v| v.worksheet == "d" && v.inputs[0].1 == v.inputs[1].1).collect();
+    assert!(!equal.is_empty() && equal.iter().all(|value| value.value == "0"), "exact zeros");
+    derived.write().unwrap();
+    assert_eq!(golden::load(&derived.paths.golden).unwrap(), derived.values);
+    assert_eq!(rederive(folder.path(), "family", &options).unwrap(), derived.definitions);
+    assert_eq!(compare_golden(folder.path(), "family", &options).unwrap(), []);
+}
+
+#[test]
+fn a_golden_value_is_what_the_formula_is_worth() {
+    let folder = folder(WORKSHEET);
+    let derived = derive(folder.path(), "family", &Options::default()).unwrap();
+    for value in &derived.values {
+        let (x, y) = (value.inputs[0].1, value.inputs[1].1);
+        let stable = if value.worksheet == "d" {
+            if x == y { 0.0 } else { (y - x) / (y.sqrt() + x.sqrt()) }
+        } else {
+            2.0 * (x + 1.0) / (y + (y * y + 4.0 * (x + 1.0)).sqrt())
+        };
+        let golden: f64 = value.value.parse().unwrap();
+        assert!((golden - stable).abs() <= 1e-15 * stable.abs(), "{value:?} {stable}");
+    }
+}
+
+#[test]
+fn a_golden_value_that_changed_is_named() {
+    let folder = folder(WORKSHEET);
+    let derived = derive(folder.path(), "family", &Options::default()).unwrap();
+    derived.write().unwrap();
+    let mut values = derived.values.clone();
+    values[0].value = format!("-{}", values[1].value);
+    std::fs::write(&derived.paths.golden, golden::print(&values)).unwrap();
+    let named = compare_golden(folder.path(), "family", &Options::default()).unwrap();
+    assert_eq!(named.len(), 1);
+    assert_eq!((&named[0].golden, &named[0].now), (&values[0], &Ok(derived.values[0].value.clone())));
+}
+
+#[test]
+fn questions_are_shown_with_their_statement() {
+    fails("a: 1$\nb: integrate(1/(t^2+c), t, 0, 1)$\n", &["Maxima asks: Is c positive or negative?", "family.mac:2:1", "assume"]);
+    fails("b: read(\"how much?\")$", &["Maxima asks: how much?"]);
+    fails("d(x,y) := integrate(1/(t^2+c), t, 0, 1)$", &["Maxima asks: Is c positive", "assume"]);
+}
+
+#[test]
+fn statements_that_fail_are_pointed_at() {
+    fails("kill(all)$ x: 1$\n/* error */ error(\"no\", x, \"way\")$ y: 2$", &["Maxima stops: no 1 way", ",-[FOLDER/family.mac:2:13]"]);
+    fails("x: 1$\n y: 1/0$", &["expt: undefined: 0 to a negative exponent", "family.mac:2:2"]);
+    fails("x: 1$\n\ny: (2+)$ z: 1$", &["incorrect syntax", "family.mac:3:1"]);
+    fails("x: 1$\ny: (2+", &["does not end", "family.mac:2:1"]);
+    fails("x: 1$\nquit()$\ny: 2$", &["ends Maxima", "family.mac:2:1"]);
+}
+
+#[test]
+fn loops_are_stopped() {
+    let start = std::time::Instant::now();
+    let report = failure("x: 1$\nwhile true do x: x$ y: 1$", Duration::from_secs(2));
+    assert!(report.contains("did not finish in 2 s") && report.contains("family.mac:2:1"), "{report}");
+    fails("while true do print(\"again and again and again and again and again and again and again\")$", &["without end"]);
+    assert!(start.elapsed() < Duration::from_secs(60));
+}
+
+#[test]
+fn functions_that_do_not_fit_are_named() {
+    fails("", &["family.mac defines no function `d`, which the kernel `difference` needs", "add define(d(x,y), ..)$"]);
+    fails("d(y,x) := x$ r(x,y) := x$", &["defines d(y,x), but the contract promises d(x,y)"]);
+    fails("d(x,y) := (print(\"hello\"), x)$ r(x,y) := x$", &["d(x,y) printed something", "hello"]);
+    fails("d(x,y) := error(\"never\")$ r(x,y) := x$", &["d(x,y) cannot be applied to its own symbols: never"]);
+    fails("d(x,y) := x+q$ r(x,y) := x$", &["`d` contains `q`"]);
+    fails("d(x,y) := [x,y]$ r(x,y) := x$", &["`d` is not a closed form"]);
+    fails("d(x,y) := sqrt(-1-x)$ r(x,y) := x$", &["the kernel `difference` at x=", "the value is not real"]);
+    fails("d(x,y) := 1/(x-x*y/y+0*y)$ r(x,y) := x$", &["cannot be applied", "0 to a negative exponent"]);
+    fails("d(x,y) := 1/(sqrt(x)*sqrt(y)-sqrt(x*y))$ r(x,y) := x$", &["has values at", "instead of 24", "exclude by `domain`"]);
+}
+
+#[test]
+fn a_missing_maxima_says_how_to_get_one() {
+    let folder = folder(WORKSHEET);
+    let maxima = Maxima { program: "no-such-maxima".into(), ..Maxima::default() };
+    let error = derive(folder.path(), "family", &Options { maxima, ..Options::default() }).unwrap_err();
+    let report = report(&error);
+    assert!(report.contains("apt-get install maxima") && report.contains("CLOSEDFORM_MAXIMA"), "{report}");
+}
+
+#[test]
+fn a_worksheet_prints_what_it_likes() {
+    let noise = "print(\"hello\")$ display2d: false$ 1+1; x^2/3; printf(true, \"~a~%\", \"end\")$";
+    let folder = folder(&format!("{noise} {WORKSHEET} {noise}"));
+    assert!(derive(folder.path(), "family", &Options::default()).is_ok());
+}

@@ -1,0 +1,259 @@
+//! One condition: comparisons of rational functions, joined by `and`, `or` and `not`.
+
+use std::cmp::Ordering;
+use std::ops::Range;
+
+use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, parse_expression};
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+use thiserror::Error;
+
+use super::exact::Exact;
+
+/// The largest power a condition may contain; exact arithmetic would never finish beyond.
+const MAX_POWER: i32 = 64;
+
+/// A condition on the inputs of a kernel.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Condition {
+    /// A comparison.
+    Compare(Comparison),
+    /// All hold.
+    And(Vec<Condition>),
+    /// One holds at least.
+    Or(Vec<Condition>),
+    /// It does not hold.
+    Not(Box<Condition>),
+}
+
+/// Two rational functions compared.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Comparison {
+    /// How.
+    pub operator: ComparisonOperator,
+    /// The side before the operator.
+    pub lhs: Expr,
+    /// The side after the operator.
+    pub rhs: Expr,
+    difference: Exact,
+}
+
+/// The comparisons a condition may make.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ComparisonOperator {
+    /// `<`
+    Less,
+    /// `<=`
+    LessEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterEqual,
+    /// `#`
+    NotEqual,
+}
+
+/// Why a text is no condition.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum ConditionError {
+    /// Not Maxima.
+    #[error("the domain condition cannot be read: {message}")]
+    Syntax {
+        /// What the parser says.
+        message: String,
+        /// Where, if it knows.
+        span: Option<Range<usize>>,
+    },
+    /// No truth value.
+    #[error("the domain condition is not a comparison")]
+    NotComparison {
+        /// Where.
+        span: Range<usize>,
+    },
+    /// Something that the kernel does not take.
+    #[error("the domain condition names `{name}`, which is not an input of this kernel")]
+    UnknownVariable {
+        /// The name.
+        name: String,
+        /// Where.
+        span: Range<usize>,
+    },
+    /// Something that cannot be decided exactly.
+    #[error("a side of the domain condition is not a rational function")]
+    NotRational {
+        /// Where.
+        span: Range<usize>,
+    },
+}
+
+impl ConditionError {
+    /// Where in the condition.
+    pub fn span(&self) -> Option<Range<usize>> {
+        match self {
+            Self::Syntax { span, .. } => span.clone(),
+            Self::NotComparison { span } | Self::UnknownVariable { span, .. } | Self::NotRational { span } => {
+                Some(span.clone())
+            }
+        }
+    }
+
+    /// What to do about it.
+    pub fn remedy(&self) -> &'static str {
+        match self {
+            Self::Syntax { .. } => "write a Maxima comparison such as a2Max > 0",
+            Self::NotComparison { .. } => "compare with < <= > >= #, and join comparisons with and, or, not",
+            Self::UnknownVariable { .. } => "add it to the kernel's `inputs`, or correct its name",
+            Self::NotRational { .. } => "use only + - * /, abs, numbers and small integer powers; square away roots",
+        }
+    }
+
+    /// What a caret says.
+    pub fn label(&self) -> &'static str {
+        match self {
+            Self::Syntax { .. } => "here",
+            Self::NotComparison { .. } => "neither true nor false",
+            Self::UnknownVariable { .. } => "not an input of this kernel",
+            Self::NotRational { .. } => "not rational",
+        }
+    }
+}
+
+impl Condition {
+    /// Reads a condition on inputs with these Maxima names.
+    pub fn parse(text: &str, variables: &[String]) -> Result<Self, ConditionError> {
+        let expression = parse_expression(text).map_err(|error| ConditionError::Syntax {
+            message: error.to_string(),
+            span: Some(error.span()),
+        })?;
+        Self::from_expression(&expression, variables)
+    }
+
+    fn from_expression(expression: &Expr, variables: &[String]) -> Result<Self, ConditionError> {
+        let both = |left, right| -> Result<Vec<Self>, ConditionError> {
+            Ok(vec![Self::from_expression(left, variables)?, Self::from_expression(right, variables)?])
+        };
+        match &expression.kind {
+            ExprKind::Binary { operator: BinaryOperator::And, left, right } => Ok(Self::And(both(left, right)?)),
+            ExprKind::Binary { operator: BinaryOperator::Or, left, right } => Ok(Self::Or(both(left, right)?)),
+            ExprKind::Binary { operator, left, right } => match ComparisonOperator::of(*operator) {
+                Some(operator) => Ok(Self::Compare(Comparison {
+                    operator,
+                    lhs: (**left).clone(),
+                    rhs: (**right).clone(),
+                    difference: rational(left, variables)?.minus(rational(right, variables)?),
+                })),
+                None => Err(ConditionError::NotComparison { span: expression.span.clone() }),
+            },
+            ExprKind::Unary { operator: UnaryOperator::Not, operand } => {
+                Ok(Self::Not(Box::new(Self::from_expression(operand, variables)?)))
+            }
+            _ => Err(ConditionError::NotComparison { span: expression.span.clone() }),
+        }
+    }
+
+    /// Whether the condition holds at a point, one coordinate a variable; a comparison with a pole does not.
+    pub fn holds(&self, point: &[BigRational]) -> bool {
+        match self {
+            Self::Compare(comparison) => comparison.holds(point),
+            Self::And(parts) => parts.iter().all(|part| part.holds(point)),
+            Self::Or(parts) => parts.iter().any(|part| part.holds(point)),
+            Self::Not(part) => !part.holds(point),
+        }
+    }
+
+    /// Every comparison in the condition.
+    pub fn comparisons(&self) -> Vec<&Comparison> {
+        match self {
+            Self::Compare(comparison) => vec![comparison],
+            Self::And(parts) | Self::Or(parts) => parts.iter().flat_map(Self::comparisons).collect(),
+            Self::Not(part) => part.comparisons(),
+        }
+    }
+}
+
+impl Comparison {
+    /// Whether the comparison holds at a point.
+    pub fn holds(&self, point: &[BigRational]) -> bool {
+        let sign = self.difference(point).map(|difference| difference.cmp(&BigRational::zero()));
+        sign.is_some_and(|sign| self.operator.accepts(sign))
+    }
+
+    /// `lhs - rhs` at a point; `None` at a pole.
+    pub fn difference(&self, point: &[BigRational]) -> Option<BigRational> {
+        self.difference.at(point)
+    }
+
+    /// Whether the comparison names a variable, given by its position.
+    pub fn uses(&self, variable: usize) -> bool {
+        self.difference.uses(variable)
+    }
+}
+
+impl ComparisonOperator {
+    fn of(operator: BinaryOperator) -> Option<Self> {
+        Some(match operator {
+            BinaryOperator::Less => Self::Less,
+            BinaryOperator::LessEqual => Self::LessEqual,
+            BinaryOperator::Greater => Self::Greater,
+            BinaryOperator::GreaterEqual => Self::GreaterEqual,
+            BinaryOperator::NotEqual => Self::NotEqual,
+            _ => return None,
+        })
+    }
+
+    /// Whether the comparison is true of sides in this order.
+    pub fn accepts(self, sides: Ordering) -> bool {
+        match self {
+            Self::Less => sides.is_lt(),
+            Self::LessEqual => sides.is_le(),
+            Self::Greater => sides.is_gt(),
+            Self::GreaterEqual => sides.is_ge(),
+            Self::NotEqual => sides.is_ne(),
+        }
+    }
+}
+
+/// An expression as a rational function of the variables.
+fn rational(expression: &Expr, variables: &[String]) -> Result<Exact, ConditionError> {
+    let not_rational = || ConditionError::NotRational { span: expression.span.clone() };
+    match &expression.kind {
+        ExprKind::Integer(_) | ExprKind::Float(_) => {
+            closedform_maxima::exact::rational(expression).map(Exact::Number).map_err(|_| not_rational())
+        }
+        ExprKind::Symbol(name) => variable(name, variables).ok_or_else(|| ConditionError::UnknownVariable {
+            name: name.clone(),
+            span: expression.span.clone(),
+        }),
+        ExprKind::Unary { operator: UnaryOperator::Plus, operand } => rational(operand, variables),
+        ExprKind::Unary { operator: UnaryOperator::Minus, operand } => Ok(rational(operand, variables)?.negated()),
+        ExprKind::Binary { operator, left, right } => {
+            binary(*operator, rational(left, variables)?, rational(right, variables)?).ok_or_else(not_rational)
+        }
+        ExprKind::Call { .. } => match expression.as_call() {
+            Some(("abs", [argument])) => Ok(Exact::Abs(Box::new(rational(argument, variables)?))),
+            _ => Err(not_rational()),
+        },
+        _ => Err(not_rational()),
+    }
+}
+
+fn variable(name: &str, variables: &[String]) -> Option<Exact> {
+    variables.iter().position(|variable| variable == name).map(Exact::Variable)
+}
+
+fn binary(operator: BinaryOperator, left: Exact, right: Exact) -> Option<Exact> {
+    Some(match operator {
+        BinaryOperator::Add => Exact::Sum(vec![left, right]),
+        BinaryOperator::Subtract => left.minus(right),
+        BinaryOperator::Multiply => Exact::Product(vec![left, right]),
+        BinaryOperator::Divide => Exact::Product(vec![left, Exact::Power(Box::new(right), -1)]),
+        BinaryOperator::Power => Exact::Power(Box::new(left), small_integer(&right)?),
+        _ => return None,
+    })
+}
+
+fn small_integer(exponent: &Exact) -> Option<i32> {
+    let value = exponent.at(&[])?;
+    let value = value.is_integer().then(|| value.to_integer().to_i32())??;
+    (value.abs() <= MAX_POWER).then_some(value)
+}

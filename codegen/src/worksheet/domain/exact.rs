@@ -1,0 +1,57 @@
+//! Rational functions of a kernel's inputs, evaluated without rounding.
+
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+/// A rational function; variables are positions in the list of inputs.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Exact {
+    Number(BigRational),
+    Variable(usize),
+    Sum(Vec<Exact>),
+    Product(Vec<Exact>),
+    Power(Box<Exact>, i32),
+    Abs(Box<Exact>),
+}
+
+impl Exact {
+    /// The difference of two functions.
+    pub(super) fn minus(self, other: Self) -> Self {
+        Self::Sum(vec![self, other.negated()])
+    }
+
+    /// The function with the other sign.
+    pub(super) fn negated(self) -> Self {
+        Self::Product(vec![Self::Number(-BigRational::one()), self])
+    }
+
+    /// The value at a point; `None` at a pole.
+    pub(super) fn at(&self, point: &[BigRational]) -> Option<BigRational> {
+        Some(match self {
+            Self::Number(value) => value.clone(),
+            Self::Variable(index) => point.get(*index)?.clone(),
+            Self::Sum(terms) => all(terms, point)?.into_iter().sum(),
+            Self::Product(factors) => all(factors, point)?.into_iter().product(),
+            Self::Power(base, exponent) => power(base.at(point)?, *exponent)?,
+            Self::Abs(argument) => argument.at(point)?.abs(),
+        })
+    }
+
+    /// Whether the function names a variable.
+    pub(super) fn uses(&self, variable: usize) -> bool {
+        match self {
+            Self::Number(_) => false,
+            Self::Variable(index) => *index == variable,
+            Self::Sum(parts) | Self::Product(parts) => parts.iter().any(|part| part.uses(variable)),
+            Self::Power(part, _) | Self::Abs(part) => part.uses(variable),
+        }
+    }
+}
+
+fn all(parts: &[Exact], point: &[BigRational]) -> Option<Vec<BigRational>> {
+    parts.iter().map(|part| part.at(point)).collect()
+}
+
+fn power(base: BigRational, exponent: i32) -> Option<BigRational> {
+    if exponent < 0 && base.is_zero() { None } else { Some(base.pow(exponent)) }
+}

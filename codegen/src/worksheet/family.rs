@@ -1,0 +1,124 @@
+//! Families: a contract and the reference expressions that fulfil it.
+
+mod reference;
+mod stranger;
+
+use std::path::{Path, PathBuf};
+
+use closedform_maxima::Definition;
+use miette::Diagnostic;
+use thiserror::Error;
+
+pub use reference::{ReferenceError, ReferenceMistake};
+pub use stranger::{WorksheetError, WorksheetMistake};
+
+use super::contract::{self, Contract, ContractError, KernelContract, ResultContract};
+use super::source::{self, ReadError};
+
+/// Everything about a family that kernels are made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Family {
+    /// The stem of its files, a Rust module name.
+    pub name: String,
+    /// What it promises.
+    pub contract: Contract,
+    /// One definition a result, in contract order.
+    pub references: Vec<Definition>,
+    /// Its files.
+    pub paths: Paths,
+}
+
+/// The files of a family.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Paths {
+    /// `NAME.mac`
+    pub worksheet: PathBuf,
+    /// `NAME.toml`
+    pub contract: PathBuf,
+    /// `NAME.ref`
+    pub reference: PathBuf,
+    /// `NAME.tsv`
+    pub golden: PathBuf,
+}
+
+/// Why there is no family.
+#[derive(Debug, Error, Diagnostic)]
+pub enum FamilyError {
+    /// A file or folder cannot be read.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Read(#[from] ReadError),
+    /// The contract is wrong.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Contract(#[from] ContractError),
+    /// The reference expressions are wrong, or do not fit the contract.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Reference(#[from] ReferenceError),
+    /// The worksheet is more than definitions, or its definitions do not fit.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Worksheet(#[from] WorksheetError),
+}
+
+impl Paths {
+    /// The files of the family `name` in a folder, whether they exist or not.
+    pub fn new(folder: &Path, name: &str) -> Self {
+        let file = |extension: &str| folder.join(format!("{name}.{extension}"));
+        Self { worksheet: file("mac"), contract: file("toml"), reference: file("ref"), golden: file("tsv") }
+    }
+}
+
+impl Family {
+    /// Reads contract and reference expressions of a family; both must fit.
+    pub fn load(folder: &Path, name: &str) -> Result<Self, FamilyError> {
+        let paths = Paths::new(folder, name);
+        let contract = contract::load(&paths.contract)?;
+        let remedy = format!("say `closedform derive {name}`, which runs the worksheet and writes this file");
+        let text = source::read(&paths.reference, remedy)?;
+        let references = reference::check(&paths.reference, &text, &contract)?;
+        Ok(Self { name: name.to_owned(), contract, references, paths })
+    }
+
+    /// Reads a worksheet that may stand alone: without a contract beside it every definition becomes a kernel of one result,
+    /// on the domain that its formula has by itself.
+    pub fn from_worksheet(path: &Path) -> Result<Self, FamilyError> {
+        stranger::load(path)
+    }
+
+    /// Every result with its kernel and reference expression, in contract order.
+    pub fn results(&self) -> impl Iterator<Item = (&KernelContract, &ResultContract, &Definition)> {
+        self.contract.results().zip(&self.references).map(|((kernel, result), reference)| (kernel, result, reference))
+    }
+}
+
+/// The families of a folder, by name.
+pub fn families(folder: &Path) -> Result<Vec<Family>, FamilyError> {
+    family_names(folder)?.iter().map(|name| Family::load(folder, name)).collect()
+}
+
+/// The names of the families of a folder, sorted: every `NAME.toml` is one.
+pub fn family_names(folder: &Path) -> Result<Vec<String>, ReadError> {
+    let unreadable = |cause| {
+        let remedy = "name the folder that holds worksheets and contracts".to_owned();
+        ReadError { path: folder.to_owned(), cause, remedy }
+    };
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(unreadable)? {
+        let path = entry.map_err(unreadable)?.path();
+        if path.extension().is_some_and(|extension| extension == "toml") {
+            names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
+        }
+    }
+    names.sort();
+    Ok(names)
+}
+
+/// The definitions of a reference text, in contract order, if they are what the contract promises.
+pub(super) fn check_references(path: &Path, text: &str, contract: &Contract) -> Result<Vec<Definition>, ReferenceError> {
+    reference::check(path, text, contract)
+}
+
+#[cfg(test)]
+mod tests;

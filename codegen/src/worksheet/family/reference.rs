@@ -1,0 +1,211 @@
+//! Reference expressions against their contract.
+
+use std::path::Path;
+
+use closedform_maxima::{BinaryOperator, Definition, Expr, ExprKind, UnaryOperator, definitions};
+use miette::{Diagnostic, NamedSource, SourceSpan};
+use thiserror::Error;
+
+use super::super::contract::Contract;
+use super::super::source;
+
+/// Why a text does not hold the reference expressions of a contract.
+#[derive(Debug, Error, Diagnostic)]
+#[error("the reference expressions do not fit the contract")]
+pub struct ReferenceError {
+    /// The text.
+    #[source_code]
+    pub text: NamedSource<String>,
+    /// All that is wrong.
+    #[related]
+    pub mistakes: Vec<ReferenceMistake>,
+}
+
+/// One mistake in reference expressions, with its place.
+#[derive(Debug, Error, Diagnostic)]
+pub enum ReferenceMistake {
+    /// The text is not Maxima.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Text(#[from] closedform_maxima::Error),
+    /// A result without its expression.
+    #[error("there is no reference expression `{worksheet}` for the kernel `{kernel}`")]
+    #[diagnostic(help("run `closedform derive` after changing a contract"))]
+    Missing {
+        /// The function.
+        worksheet: String,
+        /// The kernel.
+        kernel: String,
+    },
+    /// An expression that no result asks for.
+    #[error("no kernel has a result `{worksheet}`")]
+    #[diagnostic(help("run `closedform derive` after changing a contract"))]
+    Extra {
+        /// The function.
+        worksheet: String,
+        /// Where.
+        #[label("the contract does not name this function")]
+        span: SourceSpan,
+    },
+    /// Other parameters than the kernel has inputs.
+    #[error("the parameters of `{worksheet}` are ({found}), but the inputs of its kernel are ({expected})")]
+    #[diagnostic(help("give worksheet and contract the same inputs in the same order, then run `closedform derive`"))]
+    Parameters {
+        /// The function.
+        worksheet: String,
+        /// What it takes.
+        found: String,
+        /// What the kernel takes.
+        expected: String,
+        /// Where.
+        #[label("takes ({found})")]
+        span: SourceSpan,
+    },
+    /// A variable from nowhere.
+    #[error("`{worksheet}` contains `{name}`, which is not one of its parameters")]
+    #[diagnostic(help("let the worksheet eliminate it, or make it an input of the kernel"))]
+    UnknownVariable {
+        /// The function.
+        worksheet: String,
+        /// The variable.
+        name: String,
+        /// Where.
+        #[label("not a parameter")]
+        span: SourceSpan,
+    },
+    /// A function that no kernel can compute.
+    #[error("`{worksheet}` calls `{name}`, which kernels cannot compute")]
+    #[diagnostic(help("kernels know + - * / ^, sqrt(x), abs(x) and positive_root(polynomial, x)"))]
+    UnknownFunction {
+        /// The function.
+        worksheet: String,
+        /// What it calls.
+        name: String,
+        /// Where.
+        #[label("not known to kernels")]
+        span: SourceSpan,
+    },
+    /// Not arithmetic at all.
+    #[error("`{worksheet}` is not a closed form")]
+    #[diagnostic(help("kernels know + - * / ^, sqrt(x), abs(x) and positive_root(polynomial, x)"))]
+    NotArithmetic {
+        /// The function.
+        worksheet: String,
+        /// Where.
+        #[label("neither number, variable nor arithmetic")]
+        span: SourceSpan,
+    },
+}
+
+/// The definitions of the text in contract order, or all that is wrong with them.
+pub(super) fn check(path: &Path, text: &str, contract: &Contract) -> Result<Vec<Definition>, ReferenceError> {
+    let fail = |mistakes| ReferenceError { text: source::named(path, text), mistakes };
+    let found = definitions(text).map_err(|errors| fail(errors.errors.into_iter().map(Into::into).collect()))?;
+    in_order(found, contract).map_err(fail)
+}
+
+/// The definitions in contract order, or all that is wrong with them.
+pub(super) fn in_order(found: Vec<Definition>, contract: &Contract) -> Result<Vec<Definition>, Vec<ReferenceMistake>> {
+    let mut mistakes = Vec::new();
+    let mut ordered = Vec::new();
+    for (kernel, result) in contract.results() {
+        match found.iter().find(|definition| definition.name == result.worksheet) {
+            Some(definition) => {
+                mistakes.extend(wrong_parameters(definition, &kernel.inputs));
+                mistakes.extend(body_mistakes(definition));
+                ordered.push(definition.clone());
+            }
+            None => {
+                let (worksheet, kernel) = (result.worksheet.clone(), kernel.name.clone());
+                mistakes.push(ReferenceMistake::Missing { worksheet, kernel });
+            }
+        }
+    }
+    for extra in found.iter().filter(|d| contract.results().all(|(_, result)| result.worksheet != d.name)) {
+        mistakes.push(ReferenceMistake::Extra { worksheet: extra.name.clone(), span: extra.span.clone().into() });
+    }
+    if mistakes.is_empty() { Ok(ordered) } else { Err(mistakes) }
+}
+
+fn wrong_parameters(definition: &Definition, inputs: &[String]) -> Option<ReferenceMistake> {
+    (definition.parameters != inputs).then(|| ReferenceMistake::Parameters {
+        worksheet: definition.name.clone(),
+        found: definition.parameters.join(","),
+        expected: inputs.join(","),
+        span: definition.span.clone().into(),
+    })
+}
+
+/// Everything in the body of a definition that a kernel cannot compute.
+pub(super) fn body_mistakes(definition: &Definition) -> Vec<ReferenceMistake> {
+    let mut body = Body { definition, bound: Vec::new(), mistakes: Vec::new() };
+    body.expression(&definition.body);
+    body.mistakes
+}
+
+struct Body<'a> {
+    definition: &'a Definition,
+    /// Variables of the roots around the current place.
+    bound: Vec<&'a str>,
+    mistakes: Vec<ReferenceMistake>,
+}
+
+impl<'a> Body<'a> {
+    fn expression(&mut self, expression: &'a Expr) {
+        match &expression.kind {
+            ExprKind::Integer(_) | ExprKind::Float(_) | ExprKind::BigFloat(_) => (),
+            ExprKind::Symbol(name) => self.variable(name, expression),
+            ExprKind::Unary { operator: UnaryOperator::Plus | UnaryOperator::Minus, operand } => self.expression(operand),
+            ExprKind::Binary { operator, left, right } if is_arithmetic(*operator) => {
+                self.expression(left);
+                self.expression(right);
+            }
+            ExprKind::Call { .. } => self.call(expression),
+            _ => self.not_arithmetic(expression),
+        }
+    }
+
+    fn variable(&mut self, name: &'a str, place: &Expr) {
+        let known = name == "%pi" || self.bound.contains(&name) || self.definition.parameters.iter().any(|p| p == name);
+        if !known {
+            let (worksheet, name) = (self.definition.name.clone(), name.to_owned());
+            let span = place.span.clone().into();
+            self.mistakes.push(ReferenceMistake::UnknownVariable { worksheet, name, span });
+        }
+    }
+
+    fn call(&mut self, expression: &'a Expr) {
+        match expression.as_call() {
+            Some(("sqrt" | "abs", [argument])) => self.expression(argument),
+            Some(("positive_root", [polynomial, variable])) => self.root(polynomial, variable),
+            Some((name, _)) => {
+                let (worksheet, name) = (self.definition.name.clone(), name.to_owned());
+                let span = expression.span.clone().into();
+                self.mistakes.push(ReferenceMistake::UnknownFunction { worksheet, name, span });
+            }
+            None => self.not_arithmetic(expression),
+        }
+    }
+
+    /// The variable of a root means something inside the polynomial only, so it cannot be a parameter too.
+    fn root(&mut self, polynomial: &'a Expr, variable: &'a Expr) {
+        match variable.as_symbol() {
+            Some(name) if !self.definition.parameters.iter().any(|parameter| parameter == name) => {
+                self.bound.push(name);
+                self.expression(polynomial);
+                self.bound.pop();
+            }
+            _ => self.not_arithmetic(variable),
+        }
+    }
+
+    fn not_arithmetic(&mut self, place: &Expr) {
+        let (worksheet, span) = (self.definition.name.clone(), place.span.clone().into());
+        self.mistakes.push(ReferenceMistake::NotArithmetic { worksheet, span });
+    }
+}
+
+fn is_arithmetic(operator: BinaryOperator) -> bool {
+    use BinaryOperator::{Add, Divide, Multiply, Power, Subtract};
+    matches!(operator, Add | Subtract | Multiply | Divide | Power)
+}

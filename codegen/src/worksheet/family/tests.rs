@@ -1,0 +1,151 @@
+//! Families on disk: what fits, and one clear error for each thing that does not.
+
+use std::path::Path;
+
+use closedform_maxima::print;
+use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme};
+
+use super::*;
+
+const CONTRACT: &str = r#"[family]
+title = "A family"
+[inputs]
+x = { name = "x", unit = "m" }
+tOut = { name = "t_out", unit = "s" }
+[[kernel]]
+name = "speed"
+doc = "Speed."
+inputs = ["x", "tOut"]
+[[kernel.result]]
+name = "speed"
+worksheet = "v"
+unit = "m/s"
+[[kernel]]
+name = "root"
+doc = "Root."
+inputs = ["x"]
+[[kernel.result]]
+name = "root"
+worksheet = "r"
+unit = "m"
+"#;
+
+fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    files.iter().for_each(|(name, text)| std::fs::write(folder.path().join(name), text).unwrap());
+    folder
+}
+
+fn report(error: &dyn Diagnostic) -> String {
+    let mut drawn = String::new();
+    let handler = GraphicalReportHandler::new_themed(GraphicalTheme::none()).with_width(120);
+    handler.render_report(&mut drawn, error).unwrap();
+    drawn
+}
+
+#[track_caller]
+fn has(report: &str, words: &[&str]) {
+    for word in words {
+        assert!(report.contains(word), "`{word}` is not in\n{report}");
+    }
+}
+
+fn with_reference(reference: &str) -> String {
+    let folder = folder(&[("family.toml", CONTRACT), ("family.ref", reference)]);
+    report(&Family::load(folder.path(), "family").unwrap_err())
+}
+
+fn stranger(text: &str) -> Result<Family, String> {
+    let folder = folder(&[("my.mac", text)]);
+    Family::from_worksheet(&folder.path().join("my.mac")).map_err(|error| report(&error))
+}
+
+#[test]
+fn references_come_in_contract_order() {
+    let reference = "/* made */\nr(x):=positive_root(z^2-x,z)$\nv(x,tOut):=sqrt(x)/tOut+%pi$\n";
+    let folder = folder(&[("family.toml", CONTRACT), ("family.ref", reference)]);
+    let families = families(folder.path()).unwrap();
+    let names: Vec<&str> = families[0].references.iter().map(|definition| definition.name.as_str()).collect();
+    assert_eq!(names, ["v", "r"]);
+    let results: Vec<&str> = families[0].results().map(|(kernel, ..)| kernel.name.as_str()).collect();
+    assert_eq!(results, ["speed", "root"]);
+}
+
+#[test]
+fn missing_files_say_what_makes_them() {
+    let folder = folder(&[("family.toml", CONTRACT)]);
+    let error = report(&Family::load(folder.path(), "family").unwrap_err());
+    has(&error, &["family.ref", "closedform derive family"]);
+    assert!(families(Path::new("/nowhere")).is_err());
+}
+
+#[test]
+fn references_that_do_not_fit_are_pointed_at() {
+    has(&with_reference("v(x,tOut):=x$"), &["no reference expression `r` for the kernel `root`", "closedform derive"]);
+    has(&with_reference("v(x,tOut):=x$r(x):=x$w(x):=x$"), &["no kernel has a result `w`", "does not name this function"]);
+    has(&with_reference("v(tOut,x):=x$r(x):=x$"), &["parameters of `v` are (tOut,x)", "inputs of its kernel are (x,tOut)"]);
+    has(&with_reference("v(x,tOut):=x$r(x):=x+tIn$"), &["`r` contains `tIn`", "not a parameter", "^"]);
+    has(&with_reference("v(x,tOut):=x$r(x):=1+sin(x)$"), &["`r` calls `sin`", "sqrt(x), abs(x)"]);
+    has(&with_reference("v(x,tOut):=x$r(x):=[x]$"), &["`r` is not a closed form"]);
+    has(&with_reference("v(x,tOut):=x$r(x):=positive_root(x^2-1,x)$"), &["`r` is not a closed form"]);
+    has(&with_reference("v(x,tOut):=x$r(x):=x+$"), &["expected"]);
+    has(&with_reference("v(x,tOut):=x$r(x):=x$r(x):=2*x$"), &["`r` is defined twice"]);
+}
+
+#[test]
+fn a_stranger_needs_no_contract() {
+    let family = stranger("g(x,T):=hypot(x,1)+T$ /* c */ hypot(a,b):=sqrt(a^2+b^2)$ fA(t,T,fn):=t*T*fn$").unwrap();
+    let bodies: Vec<String> = family.references.iter().map(|definition| print(&definition.body)).collect();
+    assert_eq!(bodies, ["sqrt(x^2+1^2)+T", "sqrt(a^2+b^2)", "t*T*fn"]);
+    let kernels: Vec<&str> = family.contract.kernels.iter().map(|kernel| kernel.name.as_str()).collect();
+    assert_eq!((family.name.as_str(), kernels), ("my", vec!["g", "hypot", "f_a"]));
+    let inputs = family.contract.inputs_of(&family.contract.kernels[2]);
+    let names: Vec<&str> = inputs.iter().map(|input| input.name.as_str()).collect();
+    assert_eq!(names, ["t_value", "t", "fn_value"]);
+    assert_eq!((inputs[0].unit.as_str(), inputs[0].typical), ("1", [1e-3, 1e3]));
+    assert!(family.contract.kernels[0].domain.holds(&[-1.0, 0.0]));
+}
+
+#[test]
+fn definitions_are_put_in_without_mixing_variables() {
+    let family = stranger("r(a):=positive_root(x^2-a*x-1,x)$ s(x):=r(x+1)$ t(a,b):=u(b,a)$ u(a,b):=a-b$").unwrap();
+    let body = |at: usize| print(&family.references[at].body);
+    assert_eq!(body(1), "positive_root(x_^2-(x+1)*x_-1,x_)");
+    assert_eq!(body(2), "b-a");
+}
+
+#[test]
+fn a_contract_beside_a_stranger_is_used() {
+    let text = "v(x,tOut):=h(x)/tOut$ r(x):=h(x)$ h(x):=sqrt(x)$";
+    let folder = folder(&[("family.toml", CONTRACT), ("family.mac", text)]);
+    let family = Family::from_worksheet(&folder.path().join("family.mac")).unwrap();
+    assert_eq!(family.contract.kernels[0].name, "speed");
+    assert_eq!(family.references.len(), 2);
+}
+
+#[test]
+fn strangers_that_need_maxima_are_told_so() {
+    has(&stranger("f(x):=x$ s: solve(x=1,x)$").unwrap_err(), &["defines no function", "closedform derive", "only Maxima"]);
+    has(&stranger("").unwrap_err(), &["the worksheet defines no function", "f(x,y):=sqrt"]);
+    has(&stranger("f(x):=").unwrap_err(), &["expected"]);
+}
+
+#[test]
+fn strangers_that_are_no_closed_forms_are_pointed_at() {
+    let cycle = stranger("f(x):=g(x)+1$ g(x):=h(x)$ h(x):=g(x)$").unwrap_err();
+    has(&cycle, &["call each other without end: g -> h -> g", "without recursion"]);
+    has(&stranger("f(x):=f(x)$").unwrap_err(), &["f -> f"]);
+    has(&stranger("f(x):=g(x,1)$ g(x):=x$").unwrap_err(), &["`g` takes 1 arguments, but is called with 2"]);
+    has(&stranger("f(x):=x+y$").unwrap_err(), &["`f` contains `y`"]);
+    has(&stranger("f():=1$").unwrap_err(), &["`f` has no parameters"]);
+    has(&stranger("f(x,x):=x$").unwrap_err(), &["the parameter `x` twice"]);
+    has(&stranger("f(x):=if x>0 then 1 else 2$").unwrap_err(), &["`f` is not a closed form"]);
+    has(&stranger("f(x):=x$ f(x):=2*x$").unwrap_err(), &["`f` is defined twice"]);
+}
+
+#[test]
+fn formulas_that_grow_without_measure_are_refused() {
+    let mut text = "f0(x):=x+1$".to_owned();
+    (1..60).for_each(|level| text += &format!("f{level}(x):=f{}(x)*f{}(x)$", level - 1, level - 1));
+    has(&stranger(&text).unwrap_err(), &["grow to more than 100000 terms"]);
+}

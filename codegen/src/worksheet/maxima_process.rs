@@ -1,0 +1,128 @@
+//! Maxima as a process: a worksheet is run as `maxima -b` runs it, then a driver prints what is wanted of it.
+
+mod child;
+mod error;
+mod transcript;
+
+use std::ffi::OsString;
+use std::path::Path;
+use std::time::Duration;
+
+pub use error::{LostMaxima, ProcessError};
+pub use transcript::Message;
+
+use super::source;
+use super::statements::statements;
+
+/// How long a worksheet may run.
+pub const TIME_LIMIT: Duration = Duration::from_secs(120);
+
+/// The environment variable that names another Maxima.
+pub const PROGRAM_VARIABLE: &str = "CLOSEDFORM_MAXIMA";
+
+/// Which Maxima runs worksheets, and for how long.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Maxima {
+    /// The program.
+    pub program: OsString,
+    /// How long worksheet and driver may run together.
+    pub limit: Duration,
+}
+
+impl Default for Maxima {
+    /// `maxima`, or what `CLOSEDFORM_MAXIMA` names.
+    fn default() -> Self {
+        let program = std::env::var_os(PROGRAM_VARIABLE).unwrap_or_else(|| "maxima".into());
+        Self { program, limit: TIME_LIMIT }
+    }
+}
+
+impl Maxima {
+    /// Runs the worksheet, then the driver: Maxima statements that call `closedform_say(text)` to send a message. Nothing
+    /// is written outside a temporary folder, unless the worksheet itself writes.
+    pub fn run(&self, worksheet: &Path, driver: &str) -> Result<Vec<Message>, ProcessError> {
+        let remedy = "write the worksheet of this family, a Maxima batch file";
+        let text = source::read(worksheet, remedy)?;
+        let marks = Marks::new();
+        let places = places(worksheet, &text)?;
+        let folder = tempfile::tempdir().map_err(|cause| self.lost(LostMaxima::Files(cause)))?;
+        let files = Files::new(folder.path());
+        let written = files.write(&text, driver, &marks);
+        written.map_err(|cause| self.lost(LostMaxima::Files(cause)))?;
+        let home = worksheet.parent().filter(|home| !home.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let end = child::run(self, &files.arguments(), home, &marks).map_err(|cause| self.lost(cause))?;
+        transcript::read(&end, &marks).map_err(|failure| failure.at(worksheet, &text, &places, self.limit))
+    }
+
+    fn lost(&self, cause: LostMaxima) -> ProcessError {
+        ProcessError::Lost { program: self.program.to_string_lossy().into_owned(), cause }
+    }
+}
+
+/// The places of the statements, if the last one ends.
+fn places(worksheet: &Path, text: &str) -> Result<Vec<std::ops::Range<usize>>, ProcessError> {
+    let statements = statements(text);
+    match statements.last().filter(|last| !last.ended) {
+        Some(last) => Err(ProcessError::Unended {
+            text: source::named(worksheet, text),
+            place: last.place.clone().into(),
+        }),
+        None => Ok(statements.into_iter().map(|statement| statement.place).collect()),
+    }
+}
+
+/// Texts that only our own output contains, so that nothing a worksheet prints is mistaken for ours.
+struct Marks {
+    /// Begins what is printed before each statement.
+    statement: String,
+    /// Begins a question.
+    question: String,
+    /// Begins a message of the driver.
+    message: String,
+}
+
+impl Marks {
+    fn new() -> Self {
+        use std::hash::{BuildHasher, RandomState};
+        let nonce = RandomState::new().hash_one(std::process::id());
+        let mark = |what: &str| format!("<closedform {what} {nonce:016x}>");
+        Self { statement: mark("statement"), question: mark("question"), message: mark("message") }
+    }
+}
+
+/// The files that one run needs.
+struct Files {
+    /// Lisp that Maxima loads first.
+    marks: std::path::PathBuf,
+    /// The worksheet, then a statement that loads the driver.
+    batch: std::path::PathBuf,
+    /// The driver.
+    driver: std::path::PathBuf,
+}
+
+impl Files {
+    fn new(folder: &Path) -> Self {
+        Self { marks: folder.join("marks.lisp"), batch: folder.join("worksheet.mac"), driver: folder.join("driver.mac") }
+    }
+
+    fn write(&self, worksheet: &str, driver: &str, marks: &Marks) -> std::io::Result<()> {
+        let Marks { statement, question, message } = marks;
+        // the variables with which a front end tells prompts and questions from results
+        let lisp = format!("(setq *general-display-prefix* \"{statement}\" *prompt-prefix* \"{question}\")\n");
+        std::fs::write(&self.marks, lisp)?;
+        std::fs::write(&self.batch, format!("{worksheet}\nload({:?})$\n", self.driver.display().to_string()))?;
+        let say = format!("closedform_say(text) := (?terpri(), ?princ(sconcat(\"{message}\", text)), ?terpri())$\n");
+        std::fs::write(&self.driver, format!("{SETTINGS}{say}{driver}\nclosedform_say(\"{}\")$\n", transcript::END))
+    }
+
+    /// No initialisation file: what a worksheet derives may not depend on whose machine it is.
+    fn arguments(&self) -> Vec<OsString> {
+        let option = |name: &str, path: &Path| [OsString::from(name), path.into()];
+        let init = ["--init=closedform-reads-no-init-file".into()];
+        init.into_iter().chain(option("-p", &self.marks)).chain(option("-b", &self.batch)).collect()
+    }
+}
+
+/// Whatever the worksheet chose, the driver prints whole expressions with all digits, and computes exactly.
+const SETTINGS: &str = "display2d: false$ fpprintprec: 0$ obase: 10$ ratprint: false$ numer: false$ float: false$ \
+                        keepfloat: false$ bftorat: false$ simp: true$ sqrtdispflag: true$ exptdispflag: true$ noundisp: false$\n";

@@ -1,0 +1,137 @@
+//! What can go wrong while a worksheet runs.
+
+use std::time::Duration;
+
+use miette::{Diagnostic, NamedSource, SourceSpan};
+use thiserror::Error;
+
+use super::super::source::ReadError;
+
+/// Why Maxima did not derive anything.
+#[derive(Debug, Error, Diagnostic)]
+pub enum ProcessError {
+    /// The worksheet cannot be read.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Read(#[from] ReadError),
+    /// Maxima did not even start.
+    #[error("cannot run Maxima (`{program}`): {cause}")]
+    #[diagnostic(help("{}", cause.remedy()))]
+    Lost {
+        /// The program.
+        program: String,
+        /// Why.
+        cause: LostMaxima,
+    },
+    /// The last statement has no end.
+    #[error("the worksheet's last statement does not end")]
+    #[diagnostic(help("end it with `$` or `;`, and close its strings and comments"))]
+    Unended {
+        /// The worksheet.
+        #[source_code]
+        text: NamedSource<String>,
+        /// The statement.
+        #[label("no `$` or `;` follows")]
+        place: SourceSpan,
+    },
+    /// Maxima asked a question.
+    #[error("Maxima asks: {question}")]
+    #[diagnostic(help("answer it before this statement, e.g. with assume(..)"))]
+    Asked {
+        /// What Maxima wants to know.
+        question: String,
+        /// The worksheet.
+        #[source_code]
+        text: NamedSource<String>,
+        /// The statement.
+        #[label("{} asks", who)]
+        place: Option<SourceSpan>,
+        /// Whether the statement asks, or what the worksheet defines asks when it is applied.
+        who: &'static str,
+    },
+    /// A statement failed.
+    #[error("Maxima stops: {message}")]
+    #[diagnostic(help("run `maxima -b` on the worksheet to see what led to it"))]
+    Failed {
+        /// What Maxima printed.
+        message: String,
+        /// The worksheet.
+        #[source_code]
+        text: NamedSource<String>,
+        /// The statement.
+        #[label("this statement fails")]
+        place: Option<SourceSpan>,
+    },
+    /// The worksheet takes too long.
+    #[error("Maxima did not finish in {} s", limit.as_secs_f64())]
+    #[diagnostic(help("simplify the statement, or look for a loop that never ends"))]
+    OutOfTime {
+        /// How long it could run.
+        limit: Duration,
+        /// The worksheet.
+        #[source_code]
+        text: NamedSource<String>,
+        /// The statement.
+        #[label("still running")]
+        place: Option<SourceSpan>,
+    },
+    /// The worksheet prints without end.
+    #[error("the worksheet prints without end")]
+    #[diagnostic(help("look for a loop that never ends, or print less"))]
+    TooMuchOutput {
+        /// The worksheet.
+        #[source_code]
+        text: NamedSource<String>,
+        /// The statement.
+        #[label("still printing")]
+        place: Option<SourceSpan>,
+    },
+    /// The worksheet ended Maxima.
+    #[error("the worksheet ends Maxima before its functions can be read")]
+    #[diagnostic(help("remove quit() and whatever else ends Maxima; a batch file ends by itself"))]
+    Quit {
+        /// The worksheet.
+        #[source_code]
+        text: NamedSource<String>,
+        /// The statement.
+        #[label("Maxima ends here")]
+        place: Option<SourceSpan>,
+    },
+}
+
+/// Why there was no Maxima.
+#[derive(Debug, Error)]
+pub enum LostMaxima {
+    /// No such program.
+    #[error("there is no such program")]
+    Missing,
+    /// It cannot be started.
+    #[error("{0}")]
+    Start(std::io::Error),
+    /// Temporary files cannot be written.
+    #[error("cannot write temporary files: {0}")]
+    Files(std::io::Error),
+    /// The operating system lost it.
+    #[error("cannot wait for it: {0}")]
+    Wait(std::io::Error),
+    /// It ended with an error of its own.
+    #[error("it ended with {status} and printed: {printed}")]
+    Died {
+        /// How.
+        status: std::process::ExitStatus,
+        /// Its last words.
+        printed: String,
+    },
+}
+
+impl LostMaxima {
+    fn remedy(&self) -> &'static str {
+        match self {
+            Self::Missing => {
+                "install it, e.g. apt-get install maxima, or name the program in the environment variable CLOSEDFORM_MAXIMA"
+            }
+            Self::Files(_) => "make room in the folder for temporary files (TMPDIR)",
+            _ => "run `maxima --version` to see whether Maxima itself works",
+        }
+    }
+}

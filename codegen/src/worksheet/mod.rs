@@ -1,0 +1,16 @@
+//! The first stage: a family on disk (worksheet, contract, reference expressions, golden values) becomes values in memory.
+
+pub mod contract;
+pub mod derive;
+pub mod domain;
+pub mod family;
+mod files;
+pub mod golden;
+pub mod hexfloat;
+pub mod maxima_process;
+pub mod sample;
+mod source;
+mod statements;
+
+pub use files::WriteError;
+pub use source::ReadError;

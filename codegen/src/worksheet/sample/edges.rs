@@ -1,0 +1,112 @@
+//! Edges of a domain: where one of its comparisons changes between true and false.
+
+use num_rational::BigRational;
+use num_traits::{ToPrimitive, Zero};
+
+use super::super::domain::{Comparison, Condition, Domain, exact};
+
+/// The comparisons of a domain, and how each depends on single inputs.
+pub(super) struct Edges<'a> {
+    comparisons: Vec<&'a Comparison>,
+    /// For each comparison the inputs that it names.
+    named: Vec<Vec<usize>>,
+    /// The conditions that name one input only, with that input.
+    alone: Vec<(usize, &'a Condition)>,
+}
+
+impl<'a> Edges<'a> {
+    pub(super) fn new(domain: &'a Domain) -> Self {
+        let comparisons = domain.comparisons();
+        let inputs = domain.variables().len();
+        let alone = domain.conditions().filter_map(|condition| match named(&condition.comparisons(), inputs)[..] {
+            [input] => Some((input, condition)),
+            _ => None,
+        });
+        let alone = alone.collect();
+        Self { named: comparisons.iter().map(|comparison| named(&[comparison], inputs)).collect(), alone, comparisons }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.comparisons.len()
+    }
+
+    /// The inputs that a comparison names.
+    pub(super) fn inputs(&self, edge: usize) -> &[usize] {
+        &self.named[edge]
+    }
+
+    /// The first comparison that does not hold.
+    pub(super) fn violated(&self, point: &[f64]) -> Option<usize> {
+        let point = exact(point)?;
+        self.comparisons.iter().position(|comparison| !comparison.holds(&point))
+    }
+
+    /// Whether the conditions that name this input alone hold.
+    pub(super) fn allowed_alone(&self, input: usize, value: f64) -> bool {
+        let Some(value) = BigRational::from_float(value) else { return false };
+        let point = vec![value; input + 1];
+        self.alone.iter().filter(|(named, _)| *named == input).all(|(_, condition)| condition.holds(&point))
+    }
+
+    /// The value of an input at which the sides of a comparison are equal, if they differ by a linear function of it.
+    pub(super) fn solve(&self, edge: usize, input: usize, point: &[f64]) -> Option<f64> {
+        let mut moved = exact(point)?;
+        let mut difference = |value: i32| {
+            moved[input] = BigRational::from_integer(value.into());
+            self.comparisons[edge].difference(&moved)
+        };
+        let (first, second, third) = (difference(1)?, difference(2)?, difference(4)?);
+        let slope = &second - &first;
+        let linear = (&third - &second) == &slope + &slope;
+        let at = BigRational::from_integer(1.into()) - if slope.is_zero() { return None } else { first / slope };
+        at.to_f64().filter(|at| linear && at.is_finite())
+    }
+
+    /// The last value, going from the point's own towards `other`, at which the comparison is as at the point.
+    pub(super) fn bisect(&self, edge: usize, input: usize, point: &[f64], other: f64) -> Option<f64> {
+        let mut moved = exact(point)?;
+        let mut holds = |value: f64| {
+            moved[input] = BigRational::from_float(value)?;
+            Some(self.comparisons[edge].holds(&moved))
+        };
+        let (mut near, mut far) = (rank(point[input]), rank(other));
+        let inside = holds(point[input])?;
+        if holds(other)? == inside {
+            return None;
+        }
+        while near.abs_diff(far) > 1 {
+            let middle = near.midpoint(far);
+            let side = if holds(unrank(middle))? == inside { &mut near } else { &mut far };
+            *side = middle;
+        }
+        Some(unrank(near))
+    }
+}
+
+/// The inputs that one of the comparisons names.
+fn named(comparisons: &[&Comparison], inputs: usize) -> Vec<usize> {
+    (0..inputs).filter(|input| comparisons.iter().any(|comparison| comparison.uses(*input))).collect()
+}
+
+/// The place of a float among all floats, in order.
+fn rank(value: f64) -> i64 {
+    let bits = value.to_bits() as i64;
+    if bits < 0 { i64::MIN - bits } else { bits }
+}
+
+fn unrank(rank: i64) -> f64 {
+    f64::from_bits(if rank < 0 { i64::MIN - rank } else { rank } as u64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rank_orders_the_floats() {
+        for value in [0.0, 1.5, -1.5, f64::MAX, -f64::MIN_POSITIVE] {
+            assert_eq!(unrank(rank(value)), value);
+            assert_eq!(unrank(rank(value) + 1), value.next_up());
+        }
+    }
+}

@@ -1,0 +1,252 @@
+//! What a kernel becomes: the function, and the module of its other shapes.
+
+use closedform_syntax::{Kernel, Output};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
+use syn::Attribute;
+
+use crate::{info, program};
+
+/// The expansion of a kernel.
+pub fn kernel(kernel: &Kernel) -> TokenStream {
+    let parts = Parts::of(kernel);
+    let function = parts.function();
+    let module = parts.module();
+    quote!(#function #module)
+}
+
+/// What several parts of the expansion name.
+struct Parts<'a> {
+    kernel: &'a Kernel,
+    /// The inputs, as the user named them.
+    inputs: Vec<&'a Ident>,
+    /// One variable a result, invisible to the user's names.
+    results: Vec<Ident>,
+    /// Numbers of inputs, conditions and results, as generic arguments.
+    sizes: TokenStream,
+}
+
+impl<'a> Parts<'a> {
+    fn of(kernel: &'a Kernel) -> Self {
+        let results = kernel.meta.results.iter();
+        let (n, k, m) = (kernel.inputs.len(), kernel.requires.len(), kernel.meta.results.len());
+        Parts {
+            kernel,
+            inputs: kernel.inputs.iter().map(|input| &input.name).collect(),
+            results: results.map(|result| format_ident!("{}", result.name, span = Span::mixed_site())).collect(),
+            sizes: quote!(#n, #k, #m),
+        }
+    }
+
+    /// The function itself.
+    fn function(&self) -> TokenStream {
+        let Kernel { attributes, visibility, name, .. } = self.kernel;
+        let Parts { inputs, results, sizes, .. } = self;
+        let must_use = missing(attributes, "must_use").then(|| quote!(#[must_use]));
+        let inline = missing(attributes, "inline").then(|| quote!(#[inline]));
+        let returned = self.returned(&TokenStream::new());
+        let output = self.output(&TokenStream::new());
+        quote! {
+            #(#attributes)*
+            #must_use
+            #inline
+            #[allow(clippy::too_many_arguments)]
+            #visibility fn #name(#(#inputs: f64),*) -> #returned {
+                let [#(#results),*] = ::closedform::__private::value::<#name::Program, #sizes>(&[#(#inputs),*]);
+                #output
+            }
+        }
+    }
+
+    /// The module beside it.
+    fn module(&self) -> TokenStream {
+        let Kernel { attributes, visibility, name, .. } = self.kernel;
+        let conditional = attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
+        let documentation = format!("[`{name}`](fn@{name}) in its other arithmetics and shapes.");
+        let items = [self.constants(), self.program(), self.evaluate(), self.checked(), self.batch(), self.single()];
+        quote! {
+            #(#conditional)*
+            #[doc = #documentation]
+            #[allow(unused, clippy::all, clippy::pedantic)]
+            #visibility mod #name {
+                #(#items)*
+            }
+        }
+    }
+
+    fn constants(&self) -> TokenStream {
+        let info = info::info(self.kernel);
+        let sizes = &self.sizes;
+        quote! {
+            /// What is known of the kernel besides its code.
+            pub const INFO: ::closedform::Info = #info;
+
+            /// The kernel as a value, for tools that know none by name.
+            pub const KERNEL: ::closedform::Kernel = ::closedform::Kernel::of::<Program, #sizes>();
+        }
+    }
+
+    /// The type that carries the program to whatever is generic over programs.
+    fn program(&self) -> TokenStream {
+        let Parts { inputs, results, sizes, .. } = self;
+        let (n, m) = (inputs.len(), results.len());
+        let (evaluate, domain) = (program::evaluate(self.kernel), program::domain(self.kernel));
+        let k = self.kernel.requires.len();
+        let all = program::inputs();
+        let slices = Ident::new("slices", Span::mixed_site());
+        quote! {
+            pub(super) struct Program;
+
+            impl ::closedform::Program<#sizes> for Program {
+                const INFO: &'static ::closedform::Info = &INFO;
+
+                #[inline(always)]
+                fn evaluate<R: ::closedform::Real>(#all: &[R; #n]) -> [R; #m] {
+                    #evaluate
+                }
+
+                #[inline(always)]
+                fn domain<R: ::closedform::Real>(#all: &[R; #n]) -> [bool; #k] {
+                    #domain
+                }
+
+                fn batch(
+                    #all: [&[f64]; #n],
+                    #slices: [&mut [f64]; #m],
+                ) -> ::core::result::Result<(), ::closedform::LengthError> {
+                    let [#(#inputs),*] = #all;
+                    let [#(#results),*] = #slices;
+                    self::batch(#(#inputs,)* #(#results),*)
+                }
+            }
+        }
+    }
+
+    fn evaluate(&self) -> TokenStream {
+        let Parts { inputs, results, sizes, .. } = self;
+        let (n, m) = (inputs.len(), results.len());
+        quote! {
+            /// The same program in any arithmetic, whether or not the inputs lie in the domain.
+            #[must_use]
+            pub fn evaluate<R: ::closedform::Real>(inputs: &[R; #n]) -> [R; #m] {
+                <Program as ::closedform::Program<#sizes>>::evaluate(inputs)
+            }
+        }
+    }
+
+    fn checked(&self) -> TokenStream {
+        let Parts { inputs, results, sizes, .. } = self;
+        let returned = self.returned(&quote!(super::));
+        let output = self.output(&quote!(super::));
+        quote! {
+            /// The value, or the condition that the inputs violate.
+            ///
+            /// # Errors
+            ///
+            /// Outside the domain.
+            pub fn checked(
+                #(#inputs: f64),*
+            ) -> ::core::result::Result<#returned, ::closedform::DomainError> {
+                let [#(#results),*] = ::closedform::__private::checked::<Program, #sizes>(&[#(#inputs),*])?;
+                ::core::result::Result::Ok(#output)
+            }
+        }
+    }
+
+    fn batch(&self) -> TokenStream {
+        let Parts { inputs, results, sizes, .. } = self;
+        let checks = self.length_checks();
+        let rows = self.rows();
+        let values: Vec<_> =
+            (0..results.len()).map(|i| format_ident!("value_{i}", span = Span::mixed_site())).collect();
+        quote! {
+            /// The values of many points, bit for bit those of single calls; inputs first, then one slice a result.
+            ///
+            /// # Errors
+            ///
+            /// When a slice is not as long as the first one. Then nothing is written.
+            pub fn batch(
+                #(#inputs: &[f64],)*
+                #(#results: &mut [f64]),*
+            ) -> ::core::result::Result<(), ::closedform::LengthError> {
+                #checks
+                #rows {
+                    let [#(#values),*] = ::closedform::__private::value::<Program, #sizes>(&[#(*#inputs),*]);
+                    #(*#results = #values;)*
+                }
+                ::core::result::Result::Ok(())
+            }
+        }
+    }
+
+    /// That all slices of a batch are as long as the first.
+    fn length_checks(&self) -> TokenStream {
+        let length = Ident::new("length", Span::mixed_site());
+        let slices = self.inputs.iter().copied().chain(&self.results);
+        let checks = slices.clone().skip(1).map(|slice| {
+            let name = slice.to_string();
+            quote!(::closedform::__private::same_length(INFO.name, #name, #length, #slice.len())?;)
+        });
+        let first = self.inputs.first();
+        quote! {
+            let #length = #first.len();
+            #(#checks)*
+        }
+    }
+
+    /// The head of the loop over the rows of a batch. Zipped slices need no bounds checks.
+    fn rows(&self) -> TokenStream {
+        let inputs = self.inputs.iter().map(|input| (quote!(#input), quote!(#input.iter())));
+        let results = self.results.iter().map(|result| (quote!(#result), quote!(#result.iter_mut())));
+        let zipped = inputs.chain(results).reduce(|(pattern, rows), (next_pattern, next_rows)| {
+            (quote!((#pattern, #next_pattern)), quote!(#rows.zip(#next_rows)))
+        });
+        zipped.map(|(pattern, rows)| quote!(for #pattern in #rows)).unwrap_or_default()
+    }
+
+    fn single(&self) -> TokenStream {
+        let Parts { inputs, results, sizes, .. } = self;
+        let m = results.len();
+        let (documentation, returned, output) = match self.kernel.output {
+            Output::Value(_) => ("The value in single precision", quote!(f32), quote!(#(#results)*)),
+            Output::Struct { .. } => (
+                "The fields in single precision, in the order of `INFO.results`",
+                quote!([f32; #m]),
+                quote!([#(#results),*]),
+            ),
+        };
+        let documentation = format!("{documentation}: evaluated in `f64` and rounded once. NaN outside the domain.");
+        quote! {
+            #[doc = #documentation]
+            #[must_use]
+            pub fn f32(#(#inputs: f32),*) -> #returned {
+                let [#(#results),*] = ::closedform::__private::single::<Program, #sizes>(&[#(#inputs),*]);
+                #output
+            }
+        }
+    }
+
+    /// The returned type, seen from where `path` leads to the kernel's own scope.
+    fn returned(&self, path: &TokenStream) -> TokenStream {
+        match &self.kernel.output {
+            Output::Value(_) => quote!(f64),
+            Output::Struct { name, .. } => quote!(#path #name),
+        }
+    }
+
+    /// The returned value, made of the variables of the results.
+    fn output(&self, path: &TokenStream) -> TokenStream {
+        let results = &self.results;
+        match &self.kernel.output {
+            Output::Value(_) => quote!(#(#results)*),
+            Output::Struct { name, fields } => {
+                let fields = fields.iter().map(|(field, _)| field);
+                quote!(#path #name { #(#fields: #results),* })
+            }
+        }
+    }
+}
+
+fn missing(attributes: &[Attribute], name: &str) -> bool {
+    !attributes.iter().any(|attribute| attribute.path().is_ident(name))
+}

@@ -1,0 +1,74 @@
+//! The constant `INFO`.
+
+use closedform_syntax::{Input, Kernel, ResultMeta, operations};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The magnitudes to expect of an input whose range is not given.
+const TYPICAL: (f64, f64) = (1e-3, 1e3);
+
+/// `INFO` of a kernel, as an expression.
+pub fn info(kernel: &Kernel) -> TokenStream {
+    let meta = &kernel.meta;
+    let name = full_name(kernel);
+    let [family, maxima, latex, source] = [&meta.family, &meta.maxima, &meta.latex, &meta.source].map(or_empty);
+    let summary = &meta.summary;
+    let inputs = kernel.inputs.iter().map(input);
+    let domain = kernel.requires.iter().map(|require| &require.text);
+    let results = meta.results.iter().map(result);
+    let rules = &meta.rules;
+    let operations = operations_literal(kernel);
+    quote! {
+        ::closedform::Info {
+            name: #name,
+            family: #family,
+            summary: #summary,
+            maxima: #maxima,
+            latex: #latex,
+            source: #source,
+            inputs: &[#(#inputs),*],
+            domain: &[#(#domain),*],
+            results: &[#(#results),*],
+            rules: &[#(#rules),*],
+            operations: #operations,
+        }
+    }
+}
+
+fn full_name(kernel: &Kernel) -> String {
+    match &kernel.meta.family {
+        Some(family) => format!("{family}::{}", kernel.name),
+        None => kernel.name.to_string(),
+    }
+}
+
+fn or_empty(text: &Option<String>) -> &str {
+    text.as_deref().unwrap_or_default()
+}
+
+fn input(input: &Input) -> TokenStream {
+    let name = input.name.to_string();
+    let maxima = input.maxima.as_ref().unwrap_or(&name);
+    let unit = or_empty(&input.unit);
+    let (low, high) = input.typical.unwrap_or(TYPICAL);
+    quote!(::closedform::Input { name: #name, maxima: #maxima, unit: #unit, typical: (#low, #high) })
+}
+
+fn result(result: &ResultMeta) -> TokenStream {
+    let name = result.name.to_string();
+    let [worksheet, unit] = [&result.worksheet, &result.unit].map(or_empty);
+    let bound = match result.bound {
+        Some(bound) => quote!(::core::option::Option::Some(#bound)),
+        None => quote!(::core::option::Option::None),
+    };
+    quote!(::closedform::ResultInfo { name: #name, worksheet: #worksheet, unit: #unit, bound_ulp: #bound })
+}
+
+fn operations_literal(kernel: &Kernel) -> TokenStream {
+    let closedform_syntax::Operations { add, mul, div, sqrt, compensated, root } = operations(kernel);
+    quote! {
+        ::closedform::Operations {
+            add: #add, mul: #mul, div: #div, sqrt: #sqrt, compensated: #compensated, root: #root
+        }
+    }
+}

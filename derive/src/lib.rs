@@ -1,0 +1,73 @@
+//! The macro `#[kernel]`: one straight-line function in all its arithmetics and shapes.
+//!
+//! Read from here: `closedform_syntax::parse` reads and checks, `expand` assembles what is emitted, and what parse
+//! refuses becomes its errors beside a stand-in (`fallback`), so that callers of the function stay quiet.
+
+mod expand;
+mod fallback;
+mod info;
+mod program;
+
+use proc_macro2::TokenStream;
+use syn::ItemFn;
+
+/// Makes a straight-line function a kernel.
+///
+/// ```
+/// use closedform::kernel;
+///
+/// /// Leg of a right triangle.
+/// #[kernel(family = "triangle", result(unit = "m"))]
+/// pub fn leg(
+///     #[input(unit = "m", typical(1.0, 10.0))] hypotenuse: f64,
+///     #[input(unit = "m", typical(1.0, 10.0))] other: f64,
+/// ) -> f64 {
+///     require!(other > 0.0 && hypotenuse >= other, "hypotenuse >= other > 0");
+///     let square = compensated!(hypotenuse * hypotenuse - other * other);
+///     sqrt(square)
+/// }
+///
+/// assert_eq!(leg(5.0, 3.0), 4.0);
+/// assert_eq!(leg::checked(3.0, 5.0).unwrap_err().condition(), "hypotenuse >= other > 0");
+/// assert_eq!(leg::INFO.operations.compensated, 3);
+/// ```
+///
+/// # The function
+///
+/// - inputs are `f64`, one to sixteen; `#[input(maxima = "..", unit = "..", typical(low, high))]` describes one. It
+///   returns `f64`, or a struct of `f64` declared beside it in a module (not inside a function).
+/// - statements: `require!(condition)` or `require!(condition, "text")` first, on inputs alone; then `let name = e;`;
+///   last the result: an expression, or a struct literal. Every input must be finite, without saying so.
+/// - expressions: float literals, names, `+ - * /`, unary `-`, `sqrt(e)`, `abs(e)`, `PI`,
+///   `if condition { e } else { e }`, `compensated!(e)`, `positive_root([c0, c1, ..])`.
+/// - `compensated!(e)` takes `+ - *`, unary `-`, literals and names: evaluated in double-double, rounded once.
+/// - `positive_root([c0, .., cn])` is the one positive root of c0 + c1 x + .. + cn x^n.
+///
+/// # The attribute
+///
+/// All keys are optional: `family`, `maxima`, `latex`, `source` are texts; `rules("..", "..")` names rewrites; `bound = 4`
+/// promises an error in ulp; `result(worksheet = "..", unit = "..")` describes the result. For a struct write
+/// `bound(field = 4)` and `results(field(worksheet = "..", unit = ".."))`.
+///
+/// # What it becomes
+///
+/// The function itself, NaN outside its domain, and a module of the same name: `checked`, `batch`, `f32`, `evaluate` in
+/// any arithmetic, `INFO` and `KERNEL`.
+#[proc_macro_attribute]
+pub fn kernel(attribute: proc_macro::TokenStream, item: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    expansion(attribute.into(), item.into()).into()
+}
+
+fn expansion(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    let function: ItemFn = match syn::parse2(item.clone()) {
+        Ok(function) => function,
+        Err(error) => {
+            let error = error.into_compile_error();
+            return quote::quote!(#error #item);
+        }
+    };
+    match closedform_syntax::parse(attribute, function.clone()) {
+        Ok(kernel) => expand::kernel(&kernel),
+        Err(error) => fallback::function(&error, function),
+    }
+}

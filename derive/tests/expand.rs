@@ -1,0 +1,308 @@
+//! What `#[kernel]` emits, called in every shape.
+
+use closedform::{CallError, DomainError, LengthError, Mpfr, kernel};
+use closedform_syntax::{Kernel, Violation};
+
+closedform_syntax::real_arithmetic! {
+    /// The interpreter's arithmetic.
+    struct Interpreted;
+}
+
+/// The text between `source!` braces both compiled and kept, so that the interpreter reads what the macro read.
+macro_rules! source {
+    ($($item:item)*) => {
+        $($item)*
+        const SOURCE: &str = stringify!($($item)*);
+    };
+}
+
+source! {
+    /// Time of the ramp in
+    /// of a turn-around.
+    ///
+    /// More.
+    #[kernel(
+        family = "turnaround",
+        maxima = "tInFn(tOut) := ..",
+        latex = "t",
+        source = "2.3.1 %o50",
+        rules("conjugate", "compensated"),
+        bound = 6,
+        result(worksheet = "tInFn", unit = "s")
+    )]
+    pub fn t_in(
+        #[input(maxima = "tOut", unit = "s", typical(1e-4, 1e-1))] t_out: f64,
+        #[input(maxima = "a2Max", unit = "m/s^2", typical(0.1, 50.0))] a2_max: f64,
+        d: f64,
+    ) -> f64 {
+        require!(a2_max > 0.0, "a2Max > 0");
+        require!(compensated!(3.0 * d - a2_max * t_out * (2.0 * t_out)) > 0.0 && (d < 1e9 || !(t_out >= 0.0)));
+        let tau = 2.0 * t_out;
+        let n = compensated!(3.0 * d - a2_max * t_out * tau);
+        n / (sqrt(tau * tau + d) + tau) + PI
+    }
+
+    /// Two results.
+    #[kernel(
+        family = "turnaround",
+        bound(t1 = 4, a1 = 1.5),
+        results(a1(worksheet = "a1Fn", unit = "m"), t1(unit = "s"))
+    )]
+    fn ramp(x: f64, out: f64) -> Ramp {
+        require!(x != out);
+        let t1 = if x < out && x <= 1.0 || out == 3.0 { abs(x) } else if x > out { -x } else { x / out };
+        Ramp { t1, a1: positive_root([-abs(out) - 1.0, 0.0, x * x + 0.5]) }
+    }
+
+    /// Every combination of kinds inside a slice.
+    #[kernel]
+    pub fn slices(a: f64, b: f64) -> f64 {
+        compensated!(
+            -(a * b - (-a + b)) * (a + 2.0) - -b * (a * a + b) + 3.0 * -(b - 1.0) + a + (0.5 + (a + b))
+                - ((a - b) * (a + b) - b * b * b)
+        )
+    }
+
+    /// Names that the expansion uses itself.
+    #[kernel]
+    pub fn inputs(inputs: f64, results: f64, slices: f64, context: f64, length: f64, value_0: f64, f32: f64) -> f64 {
+        let batch = inputs + results;
+        let checked = batch - slices * context;
+        let evaluate = checked / length;
+        let domain = compensated!(evaluate - value_0 * f32);
+        domain
+    }
+}
+
+/// What `ramp` returns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ramp {
+    t1: f64,
+    a1: f64,
+}
+
+fn interpreted(name: &str) -> Kernel {
+    let kernels = closedform_syntax::parse_file(SOURCE).expect("the source above is kernel language");
+    kernels.into_iter().find(|kernel| kernel.name == name).expect("the kernel is in the source above")
+}
+
+/// Reproducible numbers of mixed magnitude and sign.
+fn samples(count: usize) -> Vec<f64> {
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut next = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        state
+    };
+    let special = [0.0, -0.0, 1.0, 3.0, f64::INFINITY, f64::NAN, f64::MIN_POSITIVE, 1e300, -1e-300];
+    let random = std::iter::repeat_with(|| {
+        let mantissa = (next() >> 11) as f64 / (1u64 << 53) as f64 - 0.5;
+        mantissa * 2f64.powi((next() % 20) as i32 - 10)
+    });
+    special.into_iter().chain(random).take(count).collect()
+}
+
+fn same(a: f64, b: f64) -> bool {
+    a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()
+}
+
+#[test]
+fn a_value_inside_the_domain() {
+    let expected = (3.0 * 2.0 - 0.5 * 0.25 * 0.5) / ((0.25f64 + 2.0).sqrt() + 0.5) + std::f64::consts::PI;
+    assert_eq!(t_in(0.25, 0.5, 2.0), expected);
+    assert_eq!(t_in::checked(0.25, 0.5, 2.0), Ok(expected));
+}
+
+#[test]
+fn outside_the_domain_a_value_is_nan_and_the_error_names_the_condition() {
+    assert!(t_in(0.25, -0.5, 2.0).is_nan());
+    let error: DomainError = t_in::checked(0.25, -0.5, 2.0).unwrap_err();
+    assert_eq!(error.kernel(), "turnaround::t_in");
+    assert_eq!(error.condition(), "a2Max > 0");
+    assert_eq!(error.inputs().collect::<Vec<_>>(), [("t_out", 0.25), ("a2_max", -0.5), ("d", 2.0)]);
+    let text =
+        "turnaround::t_in: outside the domain: `a2Max > 0` does not hold for t_out = 0.25, a2_max = -0.5, d = 2.0";
+    assert_eq!(error.to_string(), text);
+}
+
+#[test]
+fn a_condition_without_text_names_itself() {
+    let error = t_in::checked(1.0, 1.0, 0.5).unwrap_err();
+    let text = "compensated!(3.0 * d - a2_max * t_out * (2.0 * t_out)) > 0.0 && (d < 1000000000.0 || !(t_out >= 0.0))";
+    assert_eq!(error.condition(), text);
+}
+
+#[test]
+fn every_input_must_be_finite() {
+    assert!(inputs(1.0, 1.0, 1.0, 1.0, 1.0, f64::INFINITY, 0.0).is_nan());
+    assert_eq!(slices::checked(f64::INFINITY, 0.0).unwrap_err().condition(), "every input is finite");
+    assert!(slices::checked(f64::NAN, 0.0).is_err());
+}
+
+#[test]
+fn a_struct_is_nan_in_every_field_outside_the_domain() {
+    let Ramp { t1, a1 } = ramp(1.0, 1.0);
+    assert!(t1.is_nan() && a1.is_nan());
+    assert_eq!(ramp::checked(1.0, 1.0).unwrap_err().condition(), "x != out");
+    assert_eq!(ramp::checked(0.5, 2.0), Ok(ramp(0.5, 2.0)));
+    assert_eq!(ramp(0.5, 2.0), Ramp { t1: 0.5, a1: 2.0 });
+}
+
+#[test]
+fn batches_are_bit_identical_to_single_calls() {
+    let x = samples(1000);
+    let y: Vec<f64> = x.iter().rev().copied().collect();
+    let mut t1 = vec![0.0; x.len()];
+    let mut a1 = vec![0.0; x.len()];
+    ramp::batch(&x, &y, &mut t1, &mut a1).unwrap();
+    let mut sliced = vec![0.0; x.len()];
+    slices::batch(&x, &y, &mut sliced).unwrap();
+    for row in 0..x.len() {
+        let single = ramp(x[row], y[row]);
+        assert!(same(single.t1, t1[row]) && same(single.a1, a1[row]), "{} {}", x[row], y[row]);
+        assert!(same(slices(x[row], y[row]), sliced[row]), "{} {}", x[row], y[row]);
+    }
+}
+
+#[test]
+fn a_batch_needs_slices_of_equal_length() {
+    let mut t1 = [0.0; 2];
+    let error = ramp::batch(&[0.5, 2.0], &[2.0, 3.0], &mut t1, &mut [0.0]).unwrap_err();
+    assert_eq!(error, LengthError { kernel: "turnaround::ramp", name: "a1", expected: 2, found: 1 });
+    assert_eq!(error.to_string(), "turnaround::ramp: `a1` must have length 2, not 1");
+    assert_eq!(t1, [0.0; 2]);
+    assert_eq!(t_in::batch(&[1.0], &[], &[1.0], &mut [0.0]).unwrap_err().name, "a2_max");
+}
+
+#[test]
+fn single_precision_is_rounded_once() {
+    assert_eq!(t_in::f32(0.1, 0.5, 2.0), t_in(0.1f32.into(), 0.5, 2.0) as f32);
+    assert_eq!(ramp::f32(0.5, 2.0), [0.5, 2.0]);
+    assert!(t_in::f32(0.1, -0.5, 2.0).is_nan());
+}
+
+#[test]
+fn the_interpreter_agrees_bit_for_bit() {
+    let [t_in_read, ramp_read, slices_read] = ["t_in", "ramp", "slices"].map(interpreted);
+    let numbers = samples(300);
+    for window in numbers.windows(3) {
+        let &[a, b, c] = window else { continue };
+        agree(&t_in_read, &[a, b, c], &t_in::evaluate(&[a, b, c]), t_in::checked(a, b, c).err());
+        agree(&ramp_read, &[a, b], &ramp::evaluate(&[a, b]), ramp::checked(a, b).err());
+        agree(&slices_read, &[a, b], &slices::evaluate(&[a, b]), slices::checked(a, b).err());
+    }
+}
+
+fn agree(kernel: &Kernel, inputs: &[f64], compiled: &[f64], error: Option<DomainError>) {
+    let results = closedform_syntax::evaluate(kernel, &Interpreted(0.0), inputs);
+    let equal = results.len() == compiled.len() && results.iter().zip(compiled).all(|(&a, &b)| same(a, b));
+    assert!(equal, "{} of {inputs:?}: {results:?} interpreted, {compiled:?} compiled", kernel.name);
+    let condition = match closedform_syntax::violated(kernel, &Interpreted(0.0), inputs) {
+        None => None,
+        Some(Violation::NotFinite(_)) => Some("every input is finite"),
+        Some(Violation::Require(position)) => Some(kernel.requires[position].text.as_str()),
+    };
+    assert_eq!(condition, error.as_ref().map(DomainError::condition), "{} of {inputs:?}", kernel.name);
+}
+
+#[test]
+fn the_program_runs_in_mpfr() {
+    let precise = |value| Mpfr::new(200, value);
+    let [sum] = slices::evaluate(&[precise(0.1), precise(0.3)]);
+    assert_eq!(sum.0.prec(), 200);
+    assert_eq!(sum.0.to_f64(), slices(0.1, 0.3));
+    let [_, root] = ramp::evaluate(&[precise(1.0), precise(0.5)]);
+    assert_eq!(root, precise(1.0));
+    let [time] = t_in::evaluate(&[precise(0.1), precise(0.2), precise(0.3)]);
+    assert!((time.0 - t_in(0.1, 0.2, 0.3)).abs() < 1e-15);
+}
+
+#[test]
+fn a_compensated_slice_is_rounded_once() {
+    for window in samples(2000).windows(2) {
+        let &[a, b] = window else { continue };
+        let [exact] = slices::evaluate(&[Mpfr::new(2000, a), Mpfr::new(2000, b)]);
+        let moderate = exact.0.clone().abs().to_f64() > 1e-250 && exact.0.is_finite() && exact.0.to_f64().abs() < 1e290;
+        assert!(!moderate || slices(a, b) == exact.0.to_f64(), "{a:?} {b:?}");
+    }
+}
+
+#[test]
+fn info_tells_what_was_written() {
+    let info = t_in::INFO;
+    assert_eq!((info.name, info.family), ("turnaround::t_in", "turnaround"));
+    assert_eq!(info.summary, "Time of the ramp in of a turn-around.");
+    assert_eq!((info.maxima, info.latex, info.source), ("tInFn(tOut) := ..", "t", "2.3.1 %o50"));
+    assert_eq!(info.rules, ["conjugate", "compensated"]);
+    let [t_out, _, d] = info.inputs else { panic!("three inputs") };
+    assert_eq!((t_out.name, t_out.maxima, t_out.unit, t_out.typical), ("t_out", "tOut", "s", (1e-4, 1e-1)));
+    assert_eq!((d.name, d.maxima, d.unit), ("d", "d", ""));
+    assert_eq!(info.results[0].bound_ulp, Some(6.0));
+    assert_eq!((info.results[0].name, info.results[0].worksheet, info.results[0].unit), ("t_in", "tInFn", "s"));
+    let operations = closedform::Operations { add: 3, mul: 2, div: 1, sqrt: 1, compensated: 4, root: 0 };
+    assert_eq!(info.operations, operations);
+    assert_eq!(slices::INFO.name, "slices");
+}
+
+#[test]
+fn results_of_a_struct_keep_the_order_of_the_literal() {
+    let [t1, a1] = ramp::INFO.results else { panic!("two results") };
+    assert_eq!((t1.name, t1.unit, t1.bound_ulp), ("t1", "s", Some(4.0)));
+    assert_eq!((a1.name, a1.worksheet, a1.bound_ulp), ("a1", "a1Fn", Some(1.5)));
+}
+
+#[test]
+fn a_kernel_is_called_by_slices() {
+    let kernel = &ramp::KERNEL;
+    let mut results = [0.0; 2];
+    kernel.eval(&[0.5, 2.0], &mut results).unwrap();
+    assert_eq!(results, [0.5, 2.0]);
+    kernel.eval(&[1.0, 1.0], &mut results).unwrap();
+    assert!(results.iter().all(|result| result.is_nan()));
+    assert!(matches!(kernel.checked(&[1.0, 1.0], &mut results), Err(CallError::Domain(_))));
+    let (mut t1, mut a1) = ([0.0], [0.0]);
+    kernel.batch(&[&[0.5], &[2.0]], &mut [&mut t1, &mut a1]).unwrap();
+    assert_eq!([t1[0], a1[0]], [0.5, 2.0]);
+    let mut singles = [0.0f32; 2];
+    kernel.f32(&[0.5, 2.0], &mut singles).unwrap();
+    assert_eq!(singles, [0.5, 2.0]);
+    let mut precise = [Mpfr::new(100, 0.0), Mpfr::new(100, 0.0)];
+    kernel.mpfr(&[Mpfr::new(100, 0.5), Mpfr::new(100, 2.0)], &mut precise).unwrap();
+    assert_eq!(precise, [Mpfr::new(100, 0.5), Mpfr::new(100, 2.0)]);
+}
+
+#[test]
+fn a_kernel_refuses_slices_of_the_wrong_length() {
+    let wrong = |name, found| LengthError { kernel: "turnaround::ramp", name, expected: 2, found };
+    let kernel = &ramp::KERNEL;
+    assert_eq!(kernel.eval(&[0.5], &mut [0.0; 2]), Err(wrong("inputs", 1)));
+    assert_eq!(kernel.checked(&[0.5, 2.0], &mut [0.0; 3]), Err(CallError::Length(wrong("results", 3))));
+    assert_eq!(kernel.batch(&[&[0.5]], &mut []), Err(wrong("inputs", 1)));
+}
+
+mod inner {
+    use closedform::kernel;
+
+    /// A kernel without documentation of its arguments, in a module.
+    #[kernel]
+    pub(super) fn hyp(a: f64, b: f64) -> f64 {
+        sqrt(a * a + b * b)
+    }
+}
+
+#[test]
+fn a_kernel_may_be_private_to_its_parent_or_local_to_a_function() {
+    #[kernel]
+    fn local(x: f64) -> f64 {
+        2.0 * x
+    }
+    assert_eq!((inner::hyp(3.0, 4.0), local(1.0)), (5.0, 2.0));
+    assert_eq!(inner::hyp::checked(3.0, 4.0), Ok(5.0));
+}
+
+#[test]
+fn the_parser_knows_the_limits_of_the_runtime() {
+    assert_eq!(closedform_syntax::MAX_INPUTS, closedform::MAX_INPUTS);
+    assert_eq!(closedform_syntax::MAX_DEGREE, closedform::MAX_DEGREE);
+}

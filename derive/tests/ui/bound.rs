@@ -1,0 +1,8 @@
+use closedform::kernel;
+
+#[kernel(bound = 0)]
+pub fn f(x: f64) -> f64 {
+    x
+}
+
+fn main() {}

@@ -1,0 +1,13 @@
+use closedform::kernel;
+
+pub struct Pair {
+    pub a: f64,
+    pub b: f64,
+}
+
+#[kernel(bound = 4)]
+pub fn f(x: f64) -> Pair {
+    Pair { a: x, b: x }
+}
+
+fn main() {}

@@ -1,0 +1,80 @@
+//! The functions that have a value.
+
+use std::ops::Range;
+
+use rug::Float;
+
+use crate::ast::Expr;
+
+use super::error::EvalError;
+use super::root;
+use super::scope::{Result, Scope};
+
+/// The binary exponent up to which angles are reduced.
+const LARGEST_ANGLE: i32 = 1 << 16;
+
+/// The value of `name(arguments)`.
+pub(super) fn call(scope: &Scope, name: &str, arguments: &[Expr], span: &Range<usize>) -> Result<Float> {
+    let count = |expected| EvalError::ArgumentCount {
+        name: name.to_owned(),
+        expected,
+        found: arguments.len(),
+        span: span.clone(),
+    };
+    match (name, arguments) {
+        ("max" | "min", []) => Err(count("at least one argument")),
+        ("max", _) => extreme(scope, arguments, |best, next| best.max(next)),
+        ("min", _) => extreme(scope, arguments, |best, next| best.min(next)),
+        ("atan2", [y, x]) => Ok(scope.value(y)?.atan2(&scope.value(x)?)),
+        ("positive_root", [polynomial, variable]) => root::positive_root(scope, polynomial, variable),
+        ("atan2" | "positive_root", _) => Err(count("two arguments")),
+        _ => match (simple(name), arguments) {
+            (Some(function), [argument]) => within_reach(name, scope.value(argument)?, span).map(function),
+            (Some(_), _) => Err(count("one argument")),
+            (None, _) => Err(EvalError::UnknownFunction { name: name.to_owned(), span: span.clone() }),
+        },
+    }
+}
+
+fn extreme(scope: &Scope, arguments: &[Expr], better: fn(Float, &Float) -> Float) -> Result<Float> {
+    let mut best = scope.value(&arguments[0])?;
+    for argument in &arguments[1..] {
+        best = better(best, &scope.value(argument)?);
+    }
+    Ok(best)
+}
+
+/// The argument, unless the function is periodic and the argument so large that reducing it takes for ever.
+fn within_reach(name: &str, argument: Float, span: &Range<usize>) -> Result<Float> {
+    let periodic = matches!(name, "sin" | "cos" | "tan");
+    if periodic && argument.get_exp().is_some_and(|exponent| exponent > LARGEST_ANGLE) {
+        return Err(EvalError::NotFinite { span: span.clone() });
+    }
+    Ok(argument)
+}
+
+/// The functions of one argument.
+fn simple(name: &str) -> Option<fn(Float) -> Float> {
+    Some(match name {
+        "sqrt" => Float::sqrt,
+        "abs" => Float::abs,
+        "exp" => Float::exp,
+        "log" => Float::ln,
+        "sin" => Float::sin,
+        "cos" => Float::cos,
+        "tan" => Float::tan,
+        "asin" => Float::asin,
+        "acos" => Float::acos,
+        "atan" => Float::atan,
+        "sinh" => Float::sinh,
+        "cosh" => Float::cosh,
+        "tanh" => Float::tanh,
+        "asinh" => Float::asinh,
+        "acosh" => Float::acosh,
+        "atanh" => Float::atanh,
+        "floor" => Float::floor,
+        "ceiling" => Float::ceil,
+        "signum" => |value| if value.is_zero() { value } else { value.signum() },
+        _ => return None,
+    })
+}

@@ -1,0 +1,80 @@
+//! Precision raised until the digits of a value stop changing.
+
+use std::collections::BTreeMap;
+
+use rug::Float;
+
+use crate::ast::Expr;
+
+use super::error::EvalError;
+use super::evaluate;
+
+/// The highest precision that is tried, in bits.
+pub const PRECISION_LIMIT: u32 = 1 << 14;
+
+/// Bits beyond those asked for at the first try.
+const GUARD_BITS: u32 = 64;
+
+/// How often in a row a value must be noise before it is taken for zero.
+const NOISE_COUNT: u32 = 3;
+
+/// The value of the expression at exactly these inputs, the first `bits` bits of which are right.
+///
+/// The precision doubles until two results in a row agree to `bits` bits, or until the result is zero: exactly, twice, or
+/// nothing but rounding noise that shrinks as the precision grows. It starts the higher, the farther the magnitudes of the
+/// inputs lie apart, lest a small input is lost beside a large one at two precisions in a row. The result has all bits of
+/// the highest precision used.
+///
+/// # Errors
+///
+/// As `evaluate`; or the digits do not settle up to `PRECISION_LIMIT`.
+pub fn evaluate_stable(expression: &Expr, inputs: &BTreeMap<String, f64>, bits: u32) -> Result<Float, EvalError> {
+    let exact: BTreeMap<String, Float> =
+        inputs.iter().map(|(name, value)| (name.clone(), Float::with_val(f64::MANTISSA_DIGITS, value))).collect();
+    let (low, high) = exponents(&exact);
+    let mut precision = first_precision(bits, low.abs_diff(high));
+    let mut previous = evaluate(expression, &exact, precision);
+    let mut noise = count_noise(0, &previous, low, precision);
+    while precision < PRECISION_LIMIT {
+        precision *= 2;
+        let next = evaluate(expression, &exact, precision);
+        noise = count_noise(noise, &next, low, precision);
+        match (&previous, &next) {
+            (Ok(earlier), Ok(later)) if agree(earlier, later, bits) => return next,
+            (_, Ok(_)) if noise >= NOISE_COUNT => return Ok(Float::new(precision)),
+            (_, Err(error)) if !error.may_be_rounding() => return next,
+            _ => previous = next,
+        }
+    }
+    previous.and_then(|_| Err(EvalError::Unsettled { precision, span: expression.span.clone() }))
+}
+
+/// The smallest and the greatest binary exponent among the inputs and 1.
+fn exponents(inputs: &BTreeMap<String, Float>) -> (i32, i32) {
+    let exponents = inputs.values().filter_map(Float::get_exp);
+    exponents.fold((1, 1), |(low, high), exponent| (low.min(exponent), high.max(exponent)))
+}
+
+fn first_precision(bits: u32, spread: u32) -> u32 {
+    let wanted = bits.saturating_add(GUARD_BITS).saturating_add(4 * spread);
+    wanted.max(128).min(PRECISION_LIMIT / 4)
+}
+
+/// Whether the values are both zero, or equal to `bits` bits.
+fn agree(earlier: &Float, later: &Float, bits: u32) -> bool {
+    let difference = Float::with_val(later.prec(), earlier - later);
+    match (difference.get_exp(), later.get_exp()) {
+        (None, _) => true,
+        (Some(difference), Some(value)) => i64::from(difference) < i64::from(value) - i64::from(bits),
+        (Some(_), None) => false,
+    }
+}
+
+/// The count raised if the value is far below the smallest input, as only rounding makes it; otherwise 0.
+fn count_noise(count: u32, value: &Result<Float, EvalError>, low: i32, precision: u32) -> u32 {
+    let border = i64::from(low) - i64::from(precision / 2);
+    match value {
+        Ok(value) if value.get_exp().is_none_or(|exponent| i64::from(exponent) < border) => count + 1,
+        _ => 0,
+    }
+}

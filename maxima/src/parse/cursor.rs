@@ -1,0 +1,99 @@
+//! A place among the tokens.
+
+use std::ops::Range;
+
+use crate::error::Error;
+use crate::token::{HIDE, Token, TokenKind};
+
+use super::NESTING_LIMIT;
+
+/// A place among the tokens, and how deep the expression around it is nested.
+pub(super) struct Cursor<'a> {
+    tokens: &'a [Token],
+    position: usize,
+    depth: usize,
+}
+
+impl<'a> Cursor<'a> {
+    /// Before the first of `tokens`, the last of which is the end.
+    pub fn new(tokens: &'a [Token]) -> Self {
+        Self { tokens, position: 0, depth: 0 }
+    }
+
+    fn token(&self) -> &'a Token {
+        &self.tokens[self.position]
+    }
+
+    /// The token here.
+    pub fn kind(&self) -> &'a TokenKind {
+        &self.token().kind
+    }
+
+    /// The mark here, if it is one.
+    pub fn mark(&self) -> Option<&'static str> {
+        match self.kind() {
+            TokenKind::Mark(mark) => Some(mark),
+            _ => None,
+        }
+    }
+
+    /// Where the token here stands.
+    pub fn span(&self) -> Range<usize> {
+        self.token().span.clone()
+    }
+
+    /// Where the token before this one ends.
+    pub fn end_of_previous(&self) -> usize {
+        self.position.checked_sub(1).map_or(0, |previous| self.tokens[previous].span.end)
+    }
+
+    /// The next four tokens, if there are four.
+    pub fn look_ahead(&self) -> Option<[&'a TokenKind; 4]> {
+        let next = self.tokens.get(self.position..self.position + 4)?;
+        Some([&next[0].kind, &next[1].kind, &next[2].kind, &next[3].kind])
+    }
+
+    /// Goes behind the token here, never behind the end.
+    pub fn advance(&mut self) {
+        self.position = (self.position + 1).min(self.tokens.len() - 1);
+    }
+
+    /// Goes behind the token here if it is `mark`.
+    pub fn take(&mut self, mark: &str) -> bool {
+        let found = self.mark() == Some(mark);
+        if found {
+            self.advance();
+        }
+        found
+    }
+
+    /// Goes behind the next terminator, or to the end.
+    pub fn skip_statement(&mut self) {
+        self.depth = 0;
+        while !self.ends_statement() {
+            self.advance();
+        }
+        self.advance();
+    }
+
+    /// Whether a terminator or the end is here.
+    pub fn ends_statement(&self) -> bool {
+        matches!(self.kind(), TokenKind::End | TokenKind::Mark(";" | HIDE))
+    }
+
+    /// The error that something else than the token here was expected.
+    pub fn unexpected(&self, expected: &'static str) -> Error {
+        Error::UnexpectedToken { found: self.kind().to_string(), expected, span: self.span() }
+    }
+
+    /// Goes one level down.
+    pub fn descend(&mut self) -> Result<(), Error> {
+        self.depth += 1;
+        if self.depth > NESTING_LIMIT { Err(Error::TooDeep { span: self.span() }) } else { Ok(()) }
+    }
+
+    /// Comes one level up.
+    pub fn ascend(&mut self) {
+        self.depth -= 1;
+    }
+}

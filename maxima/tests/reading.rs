@@ -1,0 +1,118 @@
+//! What texts are read as: spans, statements, definitions, exact numbers, LaTeX.
+
+use closedform_maxima::exact::{self, ExactError};
+use closedform_maxima::{
+    ExprKind, Terminator, definitions, parse_expression, parse_statements, print, to_latex, worksheet,
+};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+#[test]
+fn spans_cover_their_text() {
+    let text = "a + (b*c) /* d */ ^2";
+    let sum = parse_expression(text).expect("parses");
+    assert_eq!(&text[sum.span.clone()], text);
+    let ExprKind::Binary { right, .. } = sum.kind else { panic!("a sum") };
+    assert_eq!(&text[right.span.clone()], "(b*c) /* d */ ^2");
+    let ExprKind::Binary { left, .. } = right.kind else { panic!("a power") };
+    assert_eq!(&text[left.span], "(b*c)");
+}
+
+#[test]
+fn statements_have_labels_and_terminators() {
+    let statements = parse_statements("(%i1) a:1;\n(%o12) b=2$ (%o3)+1; (%i4); f(x), x=1$").expect("parses");
+    let read: Vec<_> = statements.iter().map(|s| (s.label.as_deref(), print(&s.expression), s.terminator)).collect();
+    assert_eq!(
+        read,
+        [
+            (Some("%i1"), "a:1".to_owned(), Terminator::Show),
+            (Some("%o12"), "b=2".to_owned(), Terminator::Hide),
+            (None, "%o3+1".to_owned(), Terminator::Show),
+            (None, "%i4".to_owned(), Terminator::Show),
+            (None, "f(x),x=1".to_owned(), Terminator::Hide),
+        ]
+    );
+}
+
+#[test]
+fn continued_lines_are_joined() {
+    assert_eq!(
+        print(&parse_expression("12\\\n34 + ab\\\ncd + \"a\\\nb\" \\\n + 1").expect("parses")),
+        "1234+abcd+\"ab\"+1"
+    );
+}
+
+#[test]
+fn all_mistakes_are_reported() {
+    let errors = parse_statements("a+;b$c*$d d;e$").expect_err("three mistakes").errors;
+    assert_eq!(errors.iter().map(|error| error.span().start).collect::<Vec<_>>(), [2, 7, 10]);
+}
+
+#[test]
+fn definitions_and_the_rest_are_told_apart() {
+    let text = "load(facexp)$ f(x,y):=x+y$ define(g(t), t^2)$ h:3$ k([x]):=x$ a[i]:=i$ c():=1$";
+    let sheet = worksheet(text).expect("parses");
+    let heads: Vec<_> =
+        sheet.definitions.iter().map(|d| format!("{}({})={}", d.name, d.parameters.join(","), d.body)).collect();
+    assert_eq!(heads, ["f(x,y)=x+y", "g(t)=t^2", "c()=1"]);
+    assert_eq!(&text[sheet.definitions[1].span.clone()], "define(g(t), t^2)");
+    let others: Vec<_> = sheet.others.iter().map(ToString::to_string).collect();
+    assert_eq!(others, ["load(facexp)$", "h:3$", "k([x]):=x$", "a[i]:=i$"]);
+    definitions(text).expect_err("others are no definitions");
+}
+
+fn exactly(text: &str) -> Result<BigRational, ExactError> {
+    exact::rational(&parse_expression(text).expect("parses"))
+}
+
+fn ratio(numerator: i64, denominator: i64) -> BigRational {
+    BigRational::new(BigInt::from(numerator), BigInt::from(denominator))
+}
+
+#[test]
+fn numbers_are_exact() {
+    for (text, value) in [
+        ("12", ratio(12, 1)),
+        ("2.", ratio(2, 1)),
+        (".5", ratio(1, 2)),
+        ("0.1", ratio(3_602_879_701_896_397, 36_028_797_018_963_968)),
+        ("2.e3", ratio(2000, 1)),
+        ("1.25d+1", ratio(25, 2)),
+        ("0.1b0", ratio(1, 10)),
+        ("1.5B-3", ratio(3, 2000)),
+        (".25b2", ratio(25, 1)),
+        ("0b99", ratio(0, 1)),
+    ] {
+        assert_eq!(exactly(text), Ok(value), "{text}");
+    }
+    assert_eq!(exactly("1e999"), Err(ExactError::TooLarge { span: 0..5 }));
+    assert_eq!(exactly("1b9999999999999999999"), Err(ExactError::TooLarge { span: 0..21 }));
+    assert_eq!(exactly("1b99999"), Err(ExactError::TooLarge { span: 0..7 }));
+    assert_eq!(exactly("x"), Err(ExactError::NotANumber { span: 0..1 }));
+}
+
+#[test]
+fn latex_reads_like_mathematics() {
+    for (text, latex) in [
+        ("a/b", r"\frac{a}{b}"),
+        ("-a/b*c", r"\frac{-a}{b}\,c"),
+        ("2*3*x^2", r"2\cdot 3\,x^{2}"),
+        ("x^(1/2)+y^(1/3)", r"\sqrt{x}+\sqrt[3]{y}"),
+        ("(a+b)*(c-d)", r"\left(a+b\right)\,\left(c-d\right)"),
+        ("a-(b-c)", r"a-\left(b-c\right)"),
+        ("a*(-b)", r"a\,\left(-b\right)"),
+        ("(-a)^2", r"\left(-a\right)^{2}"),
+        ("(a^b)^c", r"\left(a^{b}\right)^{c}"),
+        ("(a/b)^2", r"\left(\frac{a}{b}\right)^{2}"),
+        ("sqrt(3*a2Max*d2Step)-tOut", r"\sqrt{3\,a_{2,\mathrm{Max}}\,d_{2,\mathrm{Step}}}-t_{\mathrm{Out}}"),
+        ("delta+Delta_x+tau1+v0+tEdgeTotal", r"\delta+\Delta_{x}+\tau_{1}+v_{0}+t_{\mathrm{EdgeTotal}}"),
+        ("height*%pi*%e^x", r"\mathrm{height}\,\pi\,e^{x}"),
+        ("a<=b and not c#d", r"a\leq b\land \lnot c\neq d"),
+        ("abs(x)+max(a,b)+sin(x)", r"\left|x\right|+\max\left(a, b\right)+\sin\left(x\right)"),
+        ("positive_root(x^2-a,x)", r"\operatorname{root}_{x>0}\left(x^{2}-a\right)"),
+        ("if a>0 then b else c", r"\begin{cases}b & \text{if } a>0 \\ c & \text{otherwise}\end{cases}"),
+        ("f(x):=1.5e-3*x", r"f\left(x\right):=1.5\cdot 10^{-3}\,x"),
+    ] {
+        assert_eq!(to_latex(&parse_expression(text).expect(text)), latex, "{text}");
+    }
+}

@@ -1,0 +1,74 @@
+//! What is known of a kernel besides its code.
+
+/// The largest number of inputs of a kernel.
+pub const MAX_INPUTS: usize = 16;
+
+/// What is known of a kernel besides its code: where it comes from, what it takes and promises.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Info {
+    /// `family::name`, or the name alone where no family is given.
+    pub name: &'static str,
+    /// The worksheet it belongs to; empty where none is given.
+    pub family: &'static str,
+    /// The first paragraph of its documentation.
+    pub summary: &'static str,
+    /// The closed form as Maxima text; empty where none is given.
+    pub maxima: &'static str,
+    /// The closed form as LaTeX; empty where none is given.
+    pub latex: &'static str,
+    /// Where the formula is derived; empty where no source is given.
+    pub source: &'static str,
+    /// The inputs, in order.
+    pub inputs: &'static [Input],
+    /// The conditions that inputs must meet, in order, besides that every input is finite.
+    pub domain: &'static [&'static str],
+    /// The results, in order.
+    pub results: &'static [ResultInfo],
+    /// The rewrites that keep its digits.
+    pub rules: &'static [&'static str],
+    /// What one evaluation costs, the check of the domain left out.
+    pub operations: Operations,
+}
+
+/// An input of a kernel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Input {
+    /// Its name in Rust.
+    pub name: &'static str,
+    /// Its name in the worksheet; that in Rust where none is given.
+    pub maxima: &'static str,
+    /// Its unit; empty where none is given.
+    pub unit: &'static str,
+    /// The range of magnitudes to expect, for samplers.
+    pub typical: (f64, f64),
+}
+
+/// A result of a kernel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResultInfo {
+    /// Its field in the returned struct, or the name of a kernel that returns a number.
+    pub name: &'static str,
+    /// The function of the worksheet that defines it; empty where none is given.
+    pub worksheet: &'static str,
+    /// Its unit; empty where none is given.
+    pub unit: &'static str,
+    /// The error in ulp that it never exceeds, where one is promised.
+    pub bound_ulp: Option<f64>,
+}
+
+/// How many operations one evaluation takes; both branches of an `if` count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Operations {
+    /// Additions and subtractions.
+    pub add: u32,
+    /// Multiplications.
+    pub mul: u32,
+    /// Divisions.
+    pub div: u32,
+    /// Square roots.
+    pub sqrt: u32,
+    /// Additions and multiplications in double-double.
+    pub compensated: u32,
+    /// Roots of polynomials, found by iteration.
+    pub root: u32,
+}

@@ -1,0 +1,67 @@
+//! What a kernel needs when it runs: error-free arithmetic, a falling root iteration, metadata and errors.
+//!
+//! A kernel is a closed formula in one straight-line function. `#[kernel]` checks it and makes it available in every
+//! arithmetic and shape that callers ask for:
+//!
+//! ```
+//! use closedform::kernel;
+//!
+//! /// Hypotenuse of a right triangle.
+//! #[kernel(family = "triangle")]
+//! pub fn hypotenuse(a: f64, b: f64) -> f64 {
+//!     require!(a >= 0.0 && b >= 0.0);
+//!     sqrt(compensated!(a * a + b * b))
+//! }
+//!
+//! # fn main() -> Result<(), closedform::LengthError> {
+//! assert_eq!(hypotenuse(3.0, 4.0), 5.0);
+//! assert!(hypotenuse(-3.0, 4.0).is_nan());
+//!
+//! let error = hypotenuse::checked(-3.0, 4.0).unwrap_err();
+//! assert_eq!(error.condition(), "a >= 0.0 && b >= 0.0");
+//!
+//! let mut lengths = [0.0; 2];
+//! hypotenuse::batch(&[3.0, 5.0], &[4.0, 12.0], &mut lengths)?;
+//! assert_eq!(lengths, [5.0, 13.0]);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! Features: `std` (default) takes `sqrt` from the standard library instead of `libm`; `mpfr` adds `Mpfr`, the
+//! arithmetic of arbitrary precision in which judges run kernels.
+
+#![no_std]
+#![allow(
+    clippy::result_large_err,
+    reason = "a DomainError carries all inputs, since nothing may allocate; it ends a call"
+)]
+
+#[cfg(feature = "std")]
+extern crate std;
+
+mod error;
+mod float;
+mod info;
+mod kernel;
+#[cfg(feature = "mpfr")]
+mod mpfr;
+mod real;
+mod root;
+mod shape;
+mod wide;
+
+pub use closedform_derive::kernel;
+pub use error::{CallError, DomainError, LengthError};
+pub use info::{Info, Input, MAX_INPUTS, Operations, ResultInfo};
+pub use kernel::{Kernel, Program};
+#[cfg(feature = "mpfr")]
+pub use mpfr::Mpfr;
+pub use real::Real;
+pub use root::{MAX_DEGREE, positive_root};
+pub use wide::Wide;
+
+/// What expansions of `#[kernel]` call; not for people.
+#[doc(hidden)]
+pub mod __private {
+    pub use crate::shape::{checked, same_length, single, value};
+}

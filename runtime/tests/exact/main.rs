@@ -1,0 +1,5 @@
+//! Arithmetic and roots against exact arithmetic.
+
+mod numbers;
+mod root;
+mod wide;

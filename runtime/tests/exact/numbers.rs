@@ -1,0 +1,58 @@
+//! Numbers to try: nasty ones by hand, and reproducible random ones.
+
+use rug::Float;
+
+/// Enough bits for sums and products of everything tried here to be exact.
+pub const EXACT: u32 = 4300;
+
+/// `value`, in a precision where arithmetic on it is exact.
+pub fn exact(value: f64) -> Float {
+    Float::with_val(EXACT, value)
+}
+
+/// The unit roundoff u = 2^-53, to the power of two.
+pub fn u_squared() -> f64 {
+    (f64::EPSILON / 2.0) * (f64::EPSILON / 2.0)
+}
+
+/// A reproducible stream of random bits (xorshift64*).
+pub struct Random(u64);
+
+impl Random {
+    /// The stream of a seed other than zero.
+    pub fn new(seed: u64) -> Self {
+        Random(seed)
+    }
+
+    fn bits(&mut self) -> u64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
+    }
+
+    /// Below `limit`.
+    pub fn below(&mut self, limit: u64) -> u64 {
+        self.bits() % limit
+    }
+
+    /// Of either sign, its magnitude from 2^-`spread` to 2^`spread`, with many trailing zeros or ones at times.
+    pub fn number(&mut self, spread: u64) -> f64 {
+        let low_ones = (1 << self.below(52)) - 1;
+        let pattern = match self.below(4) {
+            0 => self.bits() & !low_ones,
+            1 => self.bits() | low_ones,
+            _ => self.bits(),
+        };
+        let exponent = 1023 - spread + self.below(2 * spread);
+        f64::from_bits((pattern & 0x800f_ffff_ffff_ffff) | (exponent << 52))
+    }
+
+    /// A number close to `value`, of the other sign at times: their sum cancels.
+    pub fn near(&mut self, value: f64) -> f64 {
+        let width = self.below(40);
+        let steps = self.below(1 << width);
+        let near = f64::from_bits(value.to_bits() ^ steps);
+        if self.below(2) == 0 { -near } else { near }
+    }
+}

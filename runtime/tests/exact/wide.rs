@@ -1,0 +1,104 @@
+//! Double-double arithmetic against exact arithmetic: the theorems, on numbers chosen where it hurts.
+
+use crate::numbers::{Random, exact, u_squared};
+use closedform::Wide;
+use rug::Float;
+
+const ROUNDS: usize = 20_000;
+
+fn exact_wide(wide: Wide) -> Float {
+    exact(wide.round()) + exact(wide.low())
+}
+
+/// Pairs of plain numbers: powers of two and their neighbours, near-equal ones, and random ones.
+fn pairs() -> Vec<(f64, f64)> {
+    let mut random = Random::new(1);
+    let one = [1.0, 1.0 + f64::EPSILON, 1.0 - f64::EPSILON / 2.0, 0.0, -0.0, 1.5, 134_217_729.0, 0.1];
+    let nasty: Vec<f64> =
+        one.iter().flat_map(|x| [*x, -x, x * 2f64.powi(53), x * 2f64.powi(-480), x * 2f64.powi(480)]).collect();
+    let mut pairs: Vec<_> = nasty.iter().flat_map(|&a| nasty.iter().map(move |&b| (a, b))).collect();
+    for _ in 0..ROUNDS {
+        let a = random.number(400);
+        let far = random.number(400);
+        pairs.extend([(a, far), (a, random.near(a))]);
+    }
+    pairs
+}
+
+/// Pairs of wide numbers, whose low parts cancel too at times.
+fn wide_pairs() -> Vec<(Wide, Wide)> {
+    let mut random = Random::new(2);
+    let mut wide_pairs = Vec::new();
+    for (a, b) in pairs().into_iter().filter(|(a, b)| a.abs() < 1e130 && b.abs() < 1e130) {
+        let low = |random: &mut Random, high: f64| high * f64::EPSILON * random.number(30).clamp(-0.5, 0.5);
+        let first = Wide::two_sum(a, low(&mut random, a));
+        let second = Wide::two_sum(b, low(&mut random, b));
+        let opposite = Wide::two_sum(-first.round(), random.near(first.low()));
+        wide_pairs.extend([(first, second), (first, opposite)]);
+    }
+    wide_pairs
+}
+
+/// That `computed` is within `bound` u^2 of `expected`, and normalised.
+fn assert_close(computed: Wide, expected: Float, bound: f64, what: &dyn Fn() -> String) {
+    assert_eq!(computed.round() + computed.low(), computed.round(), "{} is not normalised", what());
+    let error = Float::with_val(crate::numbers::EXACT, &expected - exact_wide(computed)).abs();
+    assert!(error <= expected.abs() * (bound * u_squared()), "{}: {computed:?}", what());
+}
+
+/// Whether errors of `a * b`, and of their low parts, can be represented.
+fn product_is_safe(a: f64, b: f64) -> bool {
+    let product = (a * b).abs();
+    product == 0.0 && (a == 0.0 || b == 0.0) || (2f64.powi(-860)..2f64.powi(1000)).contains(&product)
+}
+
+#[test]
+fn two_sum_is_exact() {
+    for (a, b) in pairs() {
+        assert_eq!(exact_wide(Wide::two_sum(a, b)), exact(a) + exact(b), "{a:e} + {b:e}");
+    }
+}
+
+#[test]
+fn two_product_is_exact() {
+    for (a, b) in pairs().into_iter().filter(|&(a, b)| product_is_safe(a, b)) {
+        assert_eq!(exact_wide(Wide::two_product(a, b)), exact(a) * exact(b), "{a:e} * {b:e}");
+    }
+}
+
+#[test]
+fn sums_keep_their_bounds() {
+    for (a, b) in wide_pairs() {
+        let tight = 3.0 / (1.0 - 2.0 * f64::EPSILON);
+        assert_close(a + b, exact_wide(a) + exact_wide(b), tight, &|| format!("{a:?} + {b:?}"));
+        assert_close(a - b, exact_wide(a) - exact_wide(b), tight, &|| format!("{a:?} - {b:?}"));
+        let plain = b.round();
+        assert_close(a + plain, exact_wide(a) + exact(plain), 2.0, &|| format!("{a:?} + {plain:?}"));
+        assert_close(a - plain, exact_wide(a) - exact(plain), 2.0, &|| format!("{a:?} - {plain:?}"));
+    }
+}
+
+#[test]
+fn products_keep_their_bounds() {
+    for (a, b) in wide_pairs().into_iter().filter(|(a, b)| product_is_safe(a.round(), b.round())) {
+        assert_close(a * b, exact_wide(a) * exact_wide(b), 7.0, &|| format!("{a:?} * {b:?}"));
+        let plain = b.round();
+        let bound = 1.5 + 2.0 * f64::EPSILON;
+        assert_close(a * plain, exact_wide(a) * exact(plain), bound, &|| format!("{a:?} * {plain:?}"));
+    }
+}
+
+#[test]
+fn negation_is_exact() {
+    for (a, _) in wide_pairs() {
+        assert_eq!(exact_wide(-a), -exact_wide(a));
+    }
+}
+
+#[test]
+fn overflow_never_panics() {
+    let huge = Wide::from(f64::MAX);
+    for wide in [huge + huge, huge * huge, huge * 2.0, huge - f64::MIN, Wide::two_product(f64::MAX, f64::MAX)] {
+        assert!(!wide.round().is_finite());
+    }
+}

@@ -1,0 +1,230 @@
+//! A kernel as a tree, checked and with its names resolved.
+
+use proc_macro2::{Ident, Span};
+use syn::{Attribute, Visibility};
+
+/// A straight-line function: conditions on its inputs, then one `let` a step, then its results.
+#[derive(Clone, Debug)]
+pub struct Kernel {
+    /// What stands above the function besides `#[kernel]`: documentation, `cfg`, lints.
+    pub attributes: Vec<Attribute>,
+    /// How far it is visible.
+    pub visibility: Visibility,
+    /// Its name.
+    pub name: Ident,
+    /// What is known of it besides its code.
+    pub meta: Meta,
+    /// Its inputs; at least one, at most [`MAX_INPUTS`](crate::MAX_INPUTS).
+    pub inputs: Vec<Input>,
+    /// The conditions that inputs must meet, besides being finite.
+    pub requires: Vec<Require>,
+    /// The steps, in order.
+    pub lets: Vec<Let>,
+    /// What it returns.
+    pub output: Output,
+}
+
+/// What the attribute `#[kernel(..)]` tells.
+#[derive(Clone, Debug)]
+pub struct Meta {
+    /// The worksheet that it belongs to.
+    pub family: Option<String>,
+    /// The closed form as Maxima text.
+    pub maxima: Option<String>,
+    /// The closed form as LaTeX.
+    pub latex: Option<String>,
+    /// Where the formula is derived.
+    pub source: Option<String>,
+    /// The first paragraph of the documentation, in one line.
+    pub summary: String,
+    /// The rewrites that keep its digits.
+    pub rules: Vec<String>,
+    /// One entry a result, in the order of the output.
+    pub results: Vec<ResultMeta>,
+}
+
+/// What is known of a result.
+#[derive(Clone, Debug)]
+pub struct ResultMeta {
+    /// Its field, or the name of a kernel that returns a number.
+    pub name: Ident,
+    /// The function of the worksheet that defines it.
+    pub worksheet: Option<String>,
+    /// Its unit.
+    pub unit: Option<String>,
+    /// The error in ulp that it never exceeds.
+    pub bound: Option<f64>,
+}
+
+/// An input.
+#[derive(Clone, Debug)]
+pub struct Input {
+    /// Its name in Rust.
+    pub name: Ident,
+    /// Its name in the worksheet.
+    pub maxima: Option<String>,
+    /// Its unit.
+    pub unit: Option<String>,
+    /// The range of magnitudes to expect.
+    pub typical: Option<(f64, f64)>,
+}
+
+/// `require!(condition, "text")`
+#[derive(Clone, Debug)]
+pub struct Require {
+    /// What must hold.
+    pub condition: Condition,
+    /// How errors name it; the condition itself where no text is given.
+    pub text: String,
+}
+
+/// `let name = value;`
+#[derive(Clone, Debug)]
+pub struct Let {
+    /// The name; never that of an input or another step.
+    pub name: Ident,
+    /// The value.
+    pub value: Expr,
+}
+
+/// What a kernel returns.
+#[derive(Clone, Debug)]
+pub enum Output {
+    /// A number.
+    Value(Expr),
+    /// A struct of numbers.
+    Struct {
+        /// The struct, declared beside the function.
+        name: Ident,
+        /// Its fields, in the order of the literal.
+        fields: Vec<(Ident, Expr)>,
+    },
+}
+
+impl Output {
+    /// The expressions of all results, in order.
+    pub fn values(&self) -> impl Iterator<Item = &Expr> {
+        let (value, fields) = match self {
+            Output::Value(value) => (Some(value), &[][..]),
+            Output::Struct { fields, .. } => (None, &fields[..]),
+        };
+        value.into_iter().chain(fields.iter().map(|(_, value)| value))
+    }
+}
+
+/// An expression.
+#[derive(Clone, Debug)]
+pub enum Expr {
+    /// `2.0`
+    Literal {
+        /// The number.
+        value: f64,
+        /// Where it stands.
+        span: Span,
+    },
+    /// An input or an earlier step.
+    Name(Name),
+    /// `PI`
+    Pi(Span),
+    /// `-e`
+    Neg(Box<Expr>),
+    /// `left op right`
+    Binary {
+        /// The operator.
+        op: BinaryOp,
+        /// The left operand.
+        left: Box<Expr>,
+        /// The right operand.
+        right: Box<Expr>,
+    },
+    /// `sqrt(e)`
+    Sqrt(Box<Expr>),
+    /// `abs(e)`
+    Abs(Box<Expr>),
+    /// `if condition { then } else { otherwise }`
+    If {
+        /// The condition.
+        condition: Box<Condition>,
+        /// The value where it holds.
+        then: Box<Expr>,
+        /// The value where it does not hold.
+        otherwise: Box<Expr>,
+    },
+    /// `compensated!(e)`; `e` consists of literals, names, `+ - *` and unary `-`.
+    Compensated(Box<Expr>),
+    /// `positive_root([c0, c1, ..])`
+    PositiveRoot(Vec<Expr>),
+}
+
+/// A name in an expression, resolved.
+#[derive(Clone, Debug)]
+pub struct Name {
+    /// As written.
+    pub ident: Ident,
+    /// Its position among all inputs followed by all steps.
+    pub slot: usize,
+}
+
+/// An arithmetic operator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BinaryOp {
+    /// `+`
+    Add,
+    /// `-`
+    Sub,
+    /// `*`
+    Mul,
+    /// `/`
+    Div,
+}
+
+/// A condition.
+#[derive(Clone, Debug)]
+pub enum Condition {
+    /// `left op right`
+    Compare {
+        /// The operator.
+        op: Comparison,
+        /// The left operand.
+        left: Expr,
+        /// The right operand.
+        right: Expr,
+    },
+    /// `left && right`
+    And(Box<Condition>, Box<Condition>),
+    /// `left || right`
+    Or(Box<Condition>, Box<Condition>),
+    /// `!condition`
+    Not(Box<Condition>),
+}
+
+/// A comparison operator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Comparison {
+    /// `<`
+    Less,
+    /// `<=`
+    LessEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterEqual,
+    /// `==`
+    Equal,
+    /// `!=`
+    NotEqual,
+}
+
+impl Comparison {
+    /// Whether it holds of two numbers in this order; `None` when one of them is NaN.
+    pub fn holds(self, order: Option<std::cmp::Ordering>) -> bool {
+        match self {
+            Comparison::Less => order.is_some_and(std::cmp::Ordering::is_lt),
+            Comparison::LessEqual => order.is_some_and(std::cmp::Ordering::is_le),
+            Comparison::Greater => order.is_some_and(std::cmp::Ordering::is_gt),
+            Comparison::GreaterEqual => order.is_some_and(std::cmp::Ordering::is_ge),
+            Comparison::Equal => order.is_some_and(std::cmp::Ordering::is_eq),
+            Comparison::NotEqual => !order.is_some_and(std::cmp::Ordering::is_eq),
+        }
+    }
+}

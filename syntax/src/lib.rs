@@ -1,0 +1,71 @@
+//! The kernel language: the straight-line Rust function that a generator writes and `#[kernel]` reads.
+//!
+//! [`parse`] turns one function into a [`Kernel`] and checks it, [`parse_file`] does so for every kernel of a source
+//! file. Errors point at the user's tokens and are collected: one run names them all. [`evaluate`] and [`violated`]
+//! interpret a kernel; [`operations`] counts what it costs.
+//!
+//! This crate knows nothing of the runtime, which depends on it through the macro: arithmetic comes in by the trait
+//! [`Arithmetic`].
+
+mod attribute;
+mod body;
+mod condition;
+mod error;
+mod expression;
+mod file;
+mod input;
+mod interpret;
+mod kernel;
+mod operations;
+mod output;
+mod pattern;
+mod print;
+mod scope;
+mod slice;
+
+pub use file::parse_file;
+pub use interpret::{Arithmetic, Violation, evaluate, violated};
+pub use kernel::{BinaryOp, Comparison, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Require, ResultMeta};
+pub use operations::{Operations, operations};
+pub use slice::{SliceArithmetic, fold_slice};
+
+use proc_macro2::TokenStream;
+use syn::{ItemFn, Result};
+
+use error::Errors;
+use scope::Scope;
+
+/// The largest number of inputs: errors at run time carry the values of all of them in a fixed array.
+pub const MAX_INPUTS: usize = 16;
+
+/// The largest degree of a `positive_root`: the runtime keeps its coefficients in a fixed array.
+pub const MAX_DEGREE: usize = 16;
+
+/// The kernel written as the function `item` under `#[kernel(attribute)]`.
+///
+/// # Errors
+///
+/// Everything in it that is not kernel language, all at once.
+pub fn parse(attribute: TokenStream, item: ItemFn) -> Result<Kernel> {
+    let mut errors = Errors::default();
+    let written = attribute::parse(attribute, &mut errors);
+    let mut scope = Scope::default();
+    let returns = input::check_signature(&item.sig, &mut errors);
+    let inputs = input::parse(&item.sig, &mut scope, &mut errors);
+    let body = body::parse(&item, returns, &mut scope, &mut errors);
+    let meta = body.as_ref().map(|body| written.resolve(&body.output, &item.sig.ident, &item.attrs, &mut errors));
+    errors.finish()?;
+    let (Some(body), Some(meta)) = (body, meta) else {
+        return Err(syn::Error::new_spanned(&item.sig, error::UNREADABLE));
+    };
+    Ok(Kernel {
+        attributes: item.attrs,
+        visibility: item.vis,
+        name: item.sig.ident,
+        meta,
+        inputs,
+        requires: body.requires,
+        lets: body.lets,
+        output: body.output,
+    })
+}

@@ -1,0 +1,75 @@
+//! A search that climbs towards the worst error of a kernel by moves on the bits of its inputs.
+
+use crate::check::{Judge, Verdict};
+use crate::failure::Failure;
+use crate::inputs::Points;
+use crate::random::Random;
+
+/// How far a climb got.
+#[derive(Clone, Debug)]
+pub struct Summit {
+    /// The errors of the results in ulp.
+    pub errors: Vec<f64>,
+    /// The inputs.
+    pub inputs: Vec<f64>,
+    /// The largest error as a fraction of its bound.
+    pub score: f64,
+}
+
+/// Climbs from every start for so many steps; the highest summit, none where no start can be judged.
+///
+/// # Errors
+///
+/// A point where a bound is broken.
+pub fn hunt(judge: &Judge, starts: &Points, steps: usize, seed: u64) -> Result<Option<Summit>, Box<Failure>> {
+    let mut random = Random::new(seed, judge.kernel.info.name);
+    let origin = format!("climb from {}", starts.origin);
+    let mut highest: Option<Summit> = None;
+    for start in &starts.list {
+        let Some(mut summit) = visit(judge, start.clone(), &origin)? else { continue };
+        for _ in 0..steps {
+            let moved = stepped(&summit.inputs, &mut random);
+            if !judge.space.admits(&moved) {
+                continue;
+            }
+            let reached = visit(judge, moved, &origin)?;
+            summit = reached.filter(|reached| reached.score >= summit.score).unwrap_or(summit);
+        }
+        highest = highest.filter(|highest| highest.score >= summit.score).or(Some(summit));
+    }
+    Ok(highest)
+}
+
+fn visit(judge: &Judge, inputs: Vec<f64>, origin: &str) -> Result<Option<Summit>, Box<Failure>> {
+    match judge.verdict(&inputs, origin) {
+        Verdict::Kept(errors) => {
+            let shares = errors.iter().enumerate().map(|(result, ulp)| ulp / judge.bound(result));
+            let score = shares.fold(0.0, f64::max);
+            Ok(Some(Summit { errors, inputs, score }))
+        }
+        Verdict::IllConditioned => Ok(None),
+        Verdict::Broken(failure) => Err(failure),
+    }
+}
+
+/// The point with one input, or two, moved by their bits.
+fn stepped(point: &[f64], random: &mut Random) -> Vec<f64> {
+    let mut moved = point.to_vec();
+    for _ in 0..=random.below(2) {
+        let input = random.below(point.len());
+        moved[input] = step(moved[input], random);
+    }
+    moved
+}
+
+fn step(value: f64, random: &mut Random) -> f64 {
+    match random.below(8) {
+        0 => value * 2.0,
+        1 => value / 2.0,
+        2 => value.next_up(),
+        3 => value.next_down(),
+        4 => f64::from_bits(value.to_bits().wrapping_add(1 << random.below(52))),
+        5 => f64::from_bits(value.to_bits().wrapping_sub(1 << random.below(52))),
+        _ => f64::from_bits(value.to_bits() ^ (1 << random.below(52))),
+    }
+}

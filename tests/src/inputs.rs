@@ -1,0 +1,226 @@
+//! Input makers: points inside, and outside, a domain, chosen where it hurts.
+
+use closedform::{Info, Input};
+
+use crate::domain::Domain;
+use crate::random::Random;
+use crate::reference::Oracle;
+use crate::zeros::{Zeros, subterms};
+
+/// Inputs other than zero stay within 2^-LIMIT to 2^LIMIT, lest a product over- or underflows.
+const LIMIT: i32 = 128;
+
+/// The exponents of `Maker::Wide`.
+const WIDE: f64 = 100.0;
+
+/// Candidates that are tried before a maker gives up.
+const TRIES: usize = 10_000;
+
+/// A way to choose points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Maker {
+    /// At an edge of the domain, or a nudge away from it.
+    Edges,
+    /// Where an input, a sum or a difference inside the reference vanishes, or a nudge away from there.
+    Subterms,
+    /// Two inputs of one unit equal up to sign and a small factor, or a nudge away from that.
+    NearEqual,
+    /// Uniform in the logarithms of the typical magnitudes.
+    Logarithmic,
+    /// Uniform over bit patterns of exponents around the typical ones.
+    Bits,
+    /// Uniform over bit patterns of exponents far beyond the typical ones.
+    Wide,
+    /// Uniform over reals.
+    Reals,
+}
+
+impl Maker {
+    /// Every maker.
+    pub const ALL: [Maker; 7] =
+        [Maker::Edges, Maker::Subterms, Maker::NearEqual, Maker::Logarithmic, Maker::Bits, Maker::Wide, Maker::Reals];
+}
+
+/// Points of one kernel and where they come from.
+#[derive(Clone, Debug)]
+pub struct Points {
+    /// The maker and the seed, for failures.
+    pub origin: String,
+    /// The inputs of each point, in order.
+    pub list: Vec<Vec<f64>>,
+}
+
+/// The inputs of a kernel: its domain, and where expressions in them vanish.
+#[derive(Clone, Debug)]
+pub struct Space {
+    info: &'static Info,
+    domain: Domain,
+    edges: Vec<Zeros>,
+    subterms: Vec<Zeros>,
+    /// The signs that each input may have.
+    signs: Vec<Vec<f64>>,
+    /// Pairs of inputs of one unit.
+    pairs: Vec<(usize, usize)>,
+}
+
+impl Space {
+    /// The inputs of the kernel that `info` describes.
+    pub fn new(info: &'static Info, oracle: &Oracle) -> Self {
+        let domain = Domain::new(info);
+        let zeros = |expressions: Vec<_>| {
+            expressions.into_iter().filter_map(|expression| Zeros::new(expression, oracle.names())).collect()
+        };
+        let mut inside = Vec::new();
+        oracle.bodies().iter().for_each(|body| subterms(body, &mut inside));
+        let (edges, subterms) = (zeros(domain.edges()), zeros(inside));
+        let signs = info.inputs.iter().enumerate().map(|(position, input)| signs(&domain, position, input)).collect();
+        Space { info, domain, edges, subterms, signs, pairs: pairs(info.inputs) }
+    }
+
+    /// The domain.
+    pub fn domain(&self) -> &Domain {
+        &self.domain
+    }
+
+    /// Whether the kernel has points of this kind.
+    pub fn has(&self, maker: Maker) -> bool {
+        match maker {
+            Maker::Edges => !self.edges.is_empty(),
+            Maker::Subterms => !self.subterms.is_empty(),
+            Maker::NearEqual => !self.pairs.is_empty(),
+            _ => true,
+        }
+    }
+
+    /// Whether a point is one to judge: inside the domain, and of magnitudes that do not over- or underflow.
+    pub fn admits(&self, point: &[f64]) -> bool {
+        moderate(point) && self.domain.contains(point)
+    }
+
+    /// `count` points inside the domain; none where the kernel has none of this kind.
+    pub fn inside(&self, maker: Maker, seed: u64, count: usize) -> Points {
+        self.points(maker, seed, count, Space::admits)
+    }
+
+    /// `count` points outside the domain; none where the kernel has none of this kind, or takes everything.
+    pub fn outside(&self, maker: Maker, seed: u64, count: usize) -> Points {
+        let count = if self.edges.is_empty() { 0 } else { count };
+        self.points(maker, seed, count, |space, point| moderate(point) && !space.domain.contains(point))
+    }
+
+    fn points(&self, maker: Maker, seed: u64, count: usize, wanted: impl Fn(&Self, &[f64]) -> bool) -> Points {
+        let mut random = Random::new(seed, &format!("{} {maker:?}", self.info.name));
+        let count = if self.has(maker) { count } else { 0 };
+        let list = (0..count).map(|_| self.point(maker, &mut random, &wanted)).collect();
+        Points { origin: format!("{maker:?}, seed {seed}"), list }
+    }
+
+    fn point(&self, maker: Maker, random: &mut Random, wanted: impl Fn(&Self, &[f64]) -> bool) -> Vec<f64> {
+        let mut candidates = (0..TRIES).filter_map(|_| self.candidate(maker, random));
+        let found = candidates.find(|point| wanted(self, point));
+        found.unwrap_or_else(|| panic!("{}: {maker:?} finds no points in {TRIES} tries", self.info.name))
+    }
+
+    fn candidate(&self, maker: Maker, random: &mut Random) -> Option<Vec<f64>> {
+        match maker {
+            Maker::Edges => self.nudged_zero(&self.edges, random),
+            Maker::Subterms => self.nudged_zero(&self.subterms, random),
+            Maker::NearEqual => self.near_equal(random),
+            Maker::Logarithmic => Some(self.each(random, |input, random| logarithmic(input, random))),
+            Maker::Bits => Some(self.each(random, |input, random| {
+                let (low, high) = exponents(input);
+                with_bits(random.between(low - 10.0, high + 10.0), random)
+            })),
+            Maker::Wide => Some(self.each(random, |_, random| with_bits(random.between(-WIDE, WIDE), random))),
+            Maker::Reals => Some(self.each(random, |input, random| random.between(input.typical.0, input.typical.1))),
+        }
+    }
+
+    /// A magnitude for each input, with one of its signs.
+    fn each(&self, random: &mut Random, magnitude: impl Fn(&Input, &mut Random) -> f64) -> Vec<f64> {
+        let inputs = self.info.inputs.iter().zip(&self.signs);
+        inputs.map(|(input, signs)| *random.pick(signs) * magnitude(input, random)).collect()
+    }
+
+    /// A point where one of the expressions vanishes, its solved input nudged.
+    fn nudged_zero(&self, zeros: &[Zeros], random: &mut Random) -> Option<Vec<f64>> {
+        let base = if random.one_in(4) { Maker::Wide } else { Maker::Logarithmic };
+        let mut point = self.candidate(base, random)?;
+        if random.one_in(3) {
+            // Of round numbers the zero is often a double itself.
+            point.iter_mut().for_each(|value| *value = shortened(*value, random.below(4) as u32));
+        }
+        let zeros = random.pick(zeros);
+        let input = *random.pick(&zeros.inputs);
+        let zero = zeros.solve(&self.domain, &point, input)?;
+        let scale = if zero == 0.0 { point[input] } else { zero };
+        point[input] = nudged(zero, scale, random);
+        Some(point)
+    }
+
+    /// A point where two inputs of one unit are nearly equal.
+    fn near_equal(&self, random: &mut Random) -> Option<Vec<f64>> {
+        let mut point = self.candidate(Maker::Logarithmic, random)?;
+        let (from, to) = *random.pick(&self.pairs);
+        let factor = *random.pick(&[1.0, 1.0, 1.0, 2.0, 0.5, 3.0, 1.0 / 3.0, 4.0, 1.5]);
+        let equal = point[from] * factor * *random.pick(&[1.0, -1.0]);
+        point[to] = nudged(equal, equal, random);
+        Some(point)
+    }
+}
+
+/// Whether no product of a few of these inputs over- or underflows.
+fn moderate(point: &[f64]) -> bool {
+    let range = 2.0_f64.powi(-LIMIT)..=2.0_f64.powi(LIMIT);
+    point.iter().all(|input| *input == 0.0 || range.contains(&input.abs()))
+}
+
+/// The signs that the conditions on the input alone leave open.
+fn signs(domain: &Domain, position: usize, input: &Input) -> Vec<f64> {
+    let (low, high) = input.typical;
+    let allowed = |sign: &f64| domain.allows(position, sign * low) || domain.allows(position, sign * high);
+    let signs: Vec<f64> = [1.0, -1.0].into_iter().filter(allowed).collect();
+    if signs.is_empty() { vec![1.0] } else { signs }
+}
+
+fn pairs(inputs: &[Input]) -> Vec<(usize, usize)> {
+    let all = (0..inputs.len()).flat_map(|from| (0..inputs.len()).map(move |to| (from, to)));
+    all.filter(|&(from, to)| from != to && inputs[from].unit == inputs[to].unit).collect()
+}
+
+/// The binary exponents of the typical magnitudes.
+fn exponents(input: &Input) -> (f64, f64) {
+    (input.typical.0.log2(), input.typical.1.log2())
+}
+
+fn logarithmic(input: &Input, random: &mut Random) -> f64 {
+    let (low, high) = exponents(input);
+    random.between(low, high).exp2()
+}
+
+/// A number of this exponent; its fraction of all bits, of few, or of nearly all ones.
+fn with_bits(exponent: f64, random: &mut Random) -> f64 {
+    const FRACTION: u64 = (1 << 52) - 1;
+    let bits = random.bits() & FRACTION;
+    let fraction = match random.below(4) {
+        0 => bits & !(FRACTION >> random.below(53)),
+        1 => FRACTION ^ (bits >> random.below(53)),
+        _ => bits,
+    };
+    f64::from_bits(1.0_f64.to_bits() | fraction) * exponent.floor().exp2()
+}
+
+/// The number with no more than `bits` bits after its leading one.
+pub fn shortened(value: f64, bits: u32) -> f64 {
+    f64::from_bits(value.to_bits() >> (52 - bits) << (52 - bits))
+}
+
+/// `value`, or a few units in its last place beside it, or 2^-k of `scale` beside it.
+fn nudged(value: f64, scale: f64, random: &mut Random) -> f64 {
+    let sign = *random.pick(&[1.0, -1.0]);
+    match random.below(10) {
+        0 => value,
+        1 => value + sign * (1 + random.below(4)) as f64 * (value.abs().next_up() - value.abs()),
+        _ => value + sign * scale * random.unit().exp2() * 0.5_f64.powi(1 + random.below(44) as i32),
+    }
+}

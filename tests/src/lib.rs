@@ -1,0 +1,29 @@
+//! The judges: what kernels are measured against, on which inputs, and how hard.
+//!
+//! Nothing here shares code with the generator: references are Maxima's own text evaluated in MPFR, golden values are
+//! Maxima's own numbers, and domains are decided exactly.
+
+pub mod algebra;
+pub mod budget;
+pub mod check;
+pub mod contract;
+pub mod coverage;
+pub mod domain;
+pub mod failure;
+pub mod golden;
+pub mod hex;
+pub mod hunt;
+pub mod inputs;
+pub mod kernels;
+pub mod laws;
+pub mod parallel;
+pub mod random;
+pub mod rational;
+pub mod reference;
+pub mod scaling;
+pub mod shapes;
+pub mod strategy;
+pub mod table;
+pub mod ulp;
+pub mod worksheets;
+pub mod zeros;

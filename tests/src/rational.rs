@@ -1,0 +1,114 @@
+//! Maxima expressions and conditions decided exactly, in rational arithmetic.
+
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+
+use closedform_maxima::ast::BinaryOperator as Operator;
+use closedform_maxima::{Expr, ExprKind, UnaryOperator, exact};
+use rug::Rational;
+use rug::ops::Pow;
+
+/// Exact values by name.
+pub type Names<'a> = BTreeMap<&'a str, Rational>;
+
+/// The exact value; none for what is no rational function of the names, and for a division by zero.
+pub fn value(expression: &Expr, names: &Names) -> Option<Rational> {
+    match &expression.kind {
+        ExprKind::Symbol(name) => names.get(name.as_str()).cloned(),
+        ExprKind::Unary { operator: UnaryOperator::Minus, operand } => Some(-value(operand, names)?),
+        ExprKind::Unary { operator: UnaryOperator::Plus, operand } => value(operand, names),
+        ExprKind::Binary { operator: Operator::Power, left, right } => power(&value(left, names)?, right),
+        ExprKind::Binary { operator, left, right } => combine(*operator, value(left, names)?, value(right, names)?),
+        _ => number(expression),
+    }
+}
+
+/// Whether the condition is true; none where a side has no exact value.
+pub fn holds(condition: &Expr, names: &Names) -> Option<bool> {
+    match &condition.kind {
+        ExprKind::Unary { operator: UnaryOperator::Not, operand } => Some(!holds(operand, names)?),
+        ExprKind::Binary { operator: Operator::And, left, right } => Some(holds(left, names)? && holds(right, names)?),
+        ExprKind::Binary { operator: Operator::Or, left, right } => Some(holds(left, names)? || holds(right, names)?),
+        ExprKind::Binary { operator, left, right } => {
+            compares(*operator, value(left, names)?.cmp(&value(right, names)?))
+        }
+        _ => None,
+    }
+}
+
+fn number(expression: &Expr) -> Option<Rational> {
+    match &expression.kind {
+        ExprKind::Integer(integer) => i64::try_from(integer).ok().map(Rational::from).or_else(|| literal(expression)),
+        _ => literal(expression),
+    }
+}
+
+fn literal(expression: &Expr) -> Option<Rational> {
+    exact::rational(expression).ok()?.to_string().parse().ok()
+}
+
+fn power(base: &Rational, exponent: &Expr) -> Option<Rational> {
+    let exponent = value(exponent, &Names::new())?;
+    let whole = exponent.is_integer().then(|| exponent.numer().to_i32()).flatten()?;
+    (whole >= 0 || !base.is_zero()).then(|| Rational::from(base.pow(whole)))
+}
+
+fn combine(operator: Operator, left: Rational, right: Rational) -> Option<Rational> {
+    match operator {
+        Operator::Add => Some(left + right),
+        Operator::Subtract => Some(left - right),
+        Operator::Multiply => Some(left * right),
+        Operator::Divide => (!right.is_zero()).then(|| left / right),
+        _ => None,
+    }
+}
+
+fn compares(operator: Operator, order: Ordering) -> Option<bool> {
+    Some(match operator {
+        Operator::Equal => order.is_eq(),
+        Operator::NotEqual => order.is_ne(),
+        Operator::Less => order.is_lt(),
+        Operator::LessEqual => order.is_le(),
+        Operator::Greater => order.is_gt(),
+        Operator::GreaterEqual => order.is_ge(),
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use closedform_maxima::parse_expression;
+
+    use super::*;
+
+    fn names() -> Names<'static> {
+        [("x", Rational::from((1, 3))), ("y", Rational::from(-2))].into()
+    }
+
+    #[test]
+    fn values_are_exact() {
+        // A float is the double nearest to it, as in Maxima.
+        for (text, expected) in [("-x^2*y + 1", (11, 9)), ("(x-1/3)*y", (0, 1)), ("y^-3", (-1, 8)), ("0.25", (1, 4))] {
+            let expected = Some(Rational::from(expected));
+            assert_eq!(value(&parse_expression(text).unwrap(), &names()), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_rational_has_no_value() {
+        for text in ["sqrt(x)", "z", "1/(x-1/3)", "y^x", "(x-1/3)^-1"] {
+            assert_eq!(value(&parse_expression(text).unwrap(), &names()), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn conditions_are_decided() {
+        for text in ["3*x >= 1", "3*x <= 1 and y # x", "y > x or x > y", "not x < y"] {
+            assert_eq!(holds(&parse_expression(text).unwrap(), &names()), Some(true), "{text}");
+        }
+        for text in ["3*x > 1", "3*x <= 1 and y = x", "y > x or x < y", "not x > y"] {
+            assert_eq!(holds(&parse_expression(text).unwrap(), &names()), Some(false), "{text}");
+        }
+        assert_eq!(holds(&parse_expression("x + y").unwrap(), &names()), None);
+    }
+}

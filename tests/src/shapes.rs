@@ -1,0 +1,125 @@
+//! What all shapes of a call promise besides accuracy: NaN and names outside the domain, equal bits, single precision.
+
+use closedform::{CallError, Kernel};
+
+use crate::check::Judge;
+use crate::domain::FINITE;
+use crate::failure::{list, replay};
+use crate::inputs::Points;
+use crate::ulp::{self, F32};
+
+/// Demands of each point that it is NaN and refused by name outside the domain, and the same value checked inside.
+///
+/// # Errors
+///
+/// The first point where it is not so.
+pub fn check_domain(judge: &Judge, points: &Points) -> Result<(), String> {
+    points.list.iter().try_for_each(|inputs| {
+        let violated = judge.space.domain().violated(inputs);
+        let actual = judge.actual(inputs);
+        let named = refused(judge.kernel, inputs, &actual)?;
+        let consistent = actual.iter().all(|result| result.is_nan() == violated.is_some());
+        if named == violated && consistent {
+            return Ok(());
+        }
+        Err(told(judge, inputs, &points.origin, &format!("violates {violated:?}, refused for {named:?}: {actual:?}")))
+    })
+}
+
+/// Demands that every input refuses to be infinite or NaN.
+///
+/// # Errors
+///
+/// The first input that does not.
+pub fn check_finite(judge: &Judge, points: &Points) -> Result<(), String> {
+    for inputs in &points.list {
+        for (input, value) in (0..inputs.len()).flat_map(|input| NOT_FINITE.map(|value| (input, value))) {
+            let mut inputs = inputs.clone();
+            inputs[input] = value;
+            let actual = judge.actual(&inputs);
+            let named = refused(judge.kernel, &inputs, &actual)?;
+            if named != Some(FINITE) || !actual.iter().all(|result| result.is_nan()) {
+                let what = format!("refused for {named:?}: {actual:?}");
+                return Err(told(judge, &inputs, &points.origin, &what));
+            }
+        }
+    }
+    Ok(())
+}
+
+const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+
+/// The condition that `checked` names; inside the domain its results must be `expected`, bit for bit.
+fn refused(kernel: &Kernel, inputs: &[f64], expected: &[f64]) -> Result<Option<&'static str>, String> {
+    let mut results = vec![0.0; expected.len()];
+    match kernel.checked(inputs, &mut results) {
+        Err(CallError::Domain(error)) => Ok(Some(error.condition())),
+        Ok(()) if same_bits(&results, expected) => Ok(None),
+        other => Err(format!("{}: checked {other:?} with {results:?}, not {expected:?}", kernel.info.name)),
+    }
+}
+
+/// Demands that a batch of all points has the bits of single calls.
+///
+/// # Errors
+///
+/// The first point where it has not.
+pub fn check_batch(judge: &Judge, points: &Points) -> Result<(), String> {
+    let info = judge.kernel.info;
+    let columns: Vec<Vec<f64>> =
+        (0..info.inputs.len()).map(|input| points.list.iter().map(|point| point[input]).collect()).collect();
+    let mut results = vec![vec![0.0; points.list.len()]; info.results.len()];
+    let inputs: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
+    let mut slices: Vec<&mut [f64]> = results.iter_mut().map(Vec::as_mut_slice).collect();
+    judge.kernel.batch(&inputs, &mut slices).map_err(|error| error.to_string())?;
+    for (position, inputs) in points.list.iter().enumerate() {
+        let batch: Vec<f64> = results.iter().map(|column| column[position]).collect();
+        let actual = judge.actual(inputs);
+        if !same_bits(&batch, &actual) {
+            return Err(told(judge, inputs, &points.origin, &format!("alone {actual:?}, in a batch {batch:?}")));
+        }
+    }
+    Ok(())
+}
+
+/// Equal bits; every NaN is the same.
+fn same_bits(left: &[f64], right: &[f64]) -> bool {
+    let same = |(left, right): (&f64, &f64)| left.to_bits() == right.to_bits() || left.is_nan() && right.is_nan();
+    left.len() == right.len() && left.iter().zip(right).all(same)
+}
+
+/// Demands of each point, rounded to single precision, that the result is what one rounding of the double makes it; how
+/// many points stayed inside the domain.
+///
+/// # Errors
+///
+/// The first point where it is not.
+pub fn check_single(judge: &Judge, points: &Points) -> Result<usize, String> {
+    let mut judged = 0;
+    for point in &points.list {
+        let singles: Vec<f32> = point.iter().map(|input| *input as f32).collect();
+        let inputs: Vec<f64> = singles.iter().map(|input| f64::from(*input)).collect();
+        if !judge.space.admits(&inputs) {
+            continue;
+        }
+        judged += 1;
+        let mut results = vec![0.0; judge.kernel.info.results.len()];
+        judge.kernel.f32(&singles, &mut results).map_err(|error| error.to_string())?;
+        for (result, actual) in results.into_iter().enumerate() {
+            let exact = judge.exact(result, &inputs);
+            let error = ulp::distance(f64::from(actual), &exact, F32);
+            // Half a unit for the rounding, and what the double was off: 29 bits more.
+            let allowed = 0.5 + judge.bound(result) * 0.5_f64.powi(29);
+            if error > allowed && !judge.is_ill_conditioned(result, &inputs, &exact) {
+                let what = format!("{actual:?}, expected {exact:.20}: {error} ulp of single precision");
+                return Err(told(judge, &inputs, &points.origin, &what));
+            }
+        }
+    }
+    Ok(judged)
+}
+
+fn told(judge: &Judge, inputs: &[f64], origin: &str, what: &str) -> String {
+    let info = judge.kernel.info;
+    format!("{}: {what}\n{}  from {origin}\n  {}", info.name, list(info, inputs), replay(info, inputs))
+}

@@ -1,0 +1,140 @@
+//! Kernels with a mistake each, and what judges need besides them.
+
+use closedform::{Kernel, kernel};
+
+/// Kernels that take v, a, x and return the time to reach x: each its own mistake.
+macro_rules! mutants {
+    ($($(#[$doc:meta])* $name:ident($v:ident, $a:ident, $x:ident) { $($body:tt)* })*) => {$(
+        $(#[$doc])*
+        #[expect(dead_code, reason = "judges call it through KERNEL")]
+        #[kernel(family = "sample", bound = 3, result(worksheet = "reach", unit = "s"))]
+        pub fn $name(
+            #[input(unit = "m/s", typical(1e-3, 2.0))] $v: f64,
+            #[input(unit = "m/s^2", typical(0.1, 50.0))] $a: f64,
+            #[input(unit = "m", typical(1e-6, 1e-2))] $x: f64,
+        ) -> f64 {
+            $($body)*
+        }
+    )*};
+}
+
+/// Those that are another formula.
+pub const WRONG: [&Kernel; 5] =
+    [&sign::KERNEL, &coefficient::KERNEL, &operator::KERNEL, &zero::KERNEL, &offset::KERNEL];
+
+/// Those that are the right formula, badly evaluated.
+pub const INACCURATE: [&Kernel; 3] = [&branches_swapped::KERNEL, &one_branch::KERNEL, &plain_difference::KERNEL];
+
+/// Those that take what they must not, refuse what they must take, or give the wrong reason.
+pub const WRONG_DOMAIN: [&Kernel; 4] =
+    [&edge_left_out::KERNEL, &edge_taken::KERNEL, &edge_rounded::KERNEL, &misnamed::KERNEL];
+
+mutants! {
+    /// A sign.
+    sign(v, a, x) {
+        require!(a > 0.0, "a > 0");
+        require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
+        let root = sqrt(compensated!(v * v + 2.0 * a * x));
+        if v > 0.0 { 2.0 * x / (v - root) } else { (root - v) / a }
+    }
+
+    /// A coefficient, in its last digits.
+    coefficient(v, a, x) {
+        require!(a > 0.0, "a > 0");
+        require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
+        let root = sqrt(compensated!(v * v + 2.000000000000004 * a * x));
+        if v > 0.0 { 2.0 * x / (root + v) } else { (root - v) / a }
+    }
+
+    /// An operator.
+    operator(v, a, x) {
+        require!(a > 0.0, "a > 0");
+        require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
+        let root = sqrt(abs(compensated!(v * v - 2.0 * a * x)));
+        if v > 0.0 { 2.0 * x / (root + v) } else { (root - v) / a }
+    }
+
+    /// One input alone, where v vanishes.
+    zero(v, a, x) {
+        require!(a > 0.0, "a > 0");
+        require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
+        let root = sqrt(compensated!(v * v + 2.0 * a * x));
+        if v > 0.0 { 2.0 * x / (root + v) } else if v < 0.0 { (root - v) / a } else { x / root }
+    }
+
+    /// A number without unit, far below what matters at common magnitudes.
+    offset(v, a, x) {
+        require!(a > 0.0, "a > 0");
+        require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
+        let root = sqrt(compensated!(v * v + 2.0 * a * x));
+        if v > 0.0 { 2.0 * x / (root + v) + 1e-25 } else { (root - v) / a }
+    }
+
+    /// Each branch where the other one belongs.
+    branches_swapped(v, a, x) {
+        require!(a > 0.0, "a > 0");
+        require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
+        let root = sqrt(compensated!(v * v + 2.0 * a * x));
+        if v < 0.0 { 2.0 * x / (root + v) } else { (root - v) / a }
+    }
+
+    /// The formula as it stands.
+    one_branch(v, a, x) {
+        require!(a > 0.0, "a > 0");
+        require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
+        (sqrt(compensated!(v * v + 2.0 * a * x)) - v) / a
+    }
+
+    /// A difference rounded in each step.
+    plain_difference(v, a, x) {
+        require!(a > 0.0, "a > 0");
+        require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
+        let root = sqrt(abs(v * v + 2.0 * a * x));
+        if v > 0.0 { 2.0 * x / (root + v) } else { (root - v) / a }
+    }
+
+    /// The edge belongs to the domain.
+    edge_left_out(v, a, x) {
+        require!(a > 0.0, "a > 0");
+        require!(compensated!(v * v + 2.0 * a * x) > 0.0, "v^2+2*a*x >= 0");
+        0.0 * v * a * x
+    }
+
+    /// The edge does not belong to the domain.
+    edge_taken(v, a, x) {
+        require!(a >= 0.0, "a > 0");
+        require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
+        0.0 * v * a * x
+    }
+
+    /// The condition is decided after rounding.
+    edge_rounded(v, a, x) {
+        require!(a > 0.0, "a > 0");
+        require!(v * v + 2.0 * a * x >= 0.0, "v^2+2*a*x >= 0");
+        0.0 * v * a * x
+    }
+
+    /// The conditions bear each other's texts.
+    misnamed(v, a, x) {
+        require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "a > 0");
+        require!(a > 0.0, "v^2+2*a*x >= 0");
+        0.0 * v * a * x
+    }
+}
+
+/// A wrong unit.
+#[kernel(family = "sample", bound = 1, result(worksheet = "travel", unit = "s"))]
+pub fn unit(
+    #[input(unit = "m/s", typical(1e-3, 2.0))] v: f64,
+    #[input(unit = "m/s^2", typical(0.1, 50.0))] a: f64,
+    #[input(unit = "s", typical(1e-4, 1e-1))] t: f64,
+) -> f64 {
+    require!(a > 0.0, "a > 0");
+    compensated!(v * t + 0.5 * a * t * t)
+}
+
+/// No bound.
+#[kernel(family = "sample", result(worksheet = "reach", unit = "s"))]
+pub fn unbounded(v: f64, a: f64, x: f64) -> f64 {
+    (sqrt(v * v + 2.0 * a * x) - v) / a
+}

@@ -1,0 +1,98 @@
+//! Every kernel keeps its bound, and every shape of a call its promise, on inputs chosen where it hurts.
+
+use closedform_tests::budget::budget;
+use closedform_tests::check::{Judge, Report, check};
+use closedform_tests::failure::Failure;
+use closedform_tests::hunt::hunt;
+use closedform_tests::inputs::{Maker, Points};
+use closedform_tests::random::seed;
+use closedform_tests::{kernels, parallel, shapes, strategy, table};
+
+/// Demands something of every kernel, in parallel; all failures are told.
+fn demand(work: impl Fn(&Judge) -> Result<(), String> + Sync) {
+    let failures: Vec<String> =
+        parallel::map(&kernels::judges(), |judge| work(judge).err()).into_iter().flatten().collect();
+    assert!(failures.is_empty(), "\n{}", failures.join("\n\n"));
+}
+
+/// What comes out at the points of all makers.
+fn measure(judge: &Judge) -> Result<Report, Box<Failure>> {
+    let mut report = Report::default();
+    for maker in Maker::ALL {
+        report.merge(check(judge, &judge.space.inside(maker, seed(), budget().points))?);
+    }
+    Ok(report)
+}
+
+#[test]
+fn bounds_are_kept() {
+    let judges = kernels::judges();
+    let (mut reports, mut failures) = (Vec::new(), Vec::new());
+    for measured in parallel::map(&judges, measure) {
+        match measured {
+            Ok(report) => reports.push(report),
+            Err(failure) => failures.push(failure.to_string()),
+        }
+    }
+    assert!(failures.is_empty(), "\n{}", failures.join("\n\n"));
+    println!("{}", table::render(&judges, &reports));
+}
+
+#[test]
+fn climbs_stay_below_bounds() {
+    demand(|judge| {
+        let starts = judge.space.inside(Maker::Bits, seed(), budget().climbs);
+        let summit = hunt(judge, &starts, budget().steps, seed()).map_err(|failure| failure.to_string())?;
+        let summit = summit.ok_or_else(|| format!("{}: no climb can start", judge.kernel.info.name))?;
+        println!("{:<40} {:.3} of its bound at {:?}", judge.kernel.info.name, summit.score, summit.inputs);
+        Ok(())
+    });
+}
+
+#[test]
+fn bounds_are_kept_or_shrunk() {
+    demand(|judge| {
+        let makers = Maker::ALL.into_iter().filter(|maker| judge.space.has(*maker));
+        { makers }.try_for_each(|maker| strategy::shrink(judge, maker, budget().points as u32 / 4))
+    });
+}
+
+#[test]
+fn outside_the_domain_is_nan_and_named() {
+    demand(|judge| {
+        let count = budget().points;
+        let points = |maker| [judge.space.outside(maker, seed(), count), judge.space.inside(maker, seed(), count)];
+        [Maker::Edges, Maker::Reals]
+            .into_iter()
+            .flat_map(points)
+            .try_for_each(|points| shapes::check_domain(judge, &points))
+    });
+}
+
+#[test]
+fn only_finite_inputs_are_taken() {
+    demand(|judge| shapes::check_finite(judge, &judge.space.inside(Maker::Logarithmic, seed(), 1)));
+}
+
+#[test]
+fn batches_have_the_bits_of_single_calls() {
+    demand(|judge| {
+        let points = |maker| {
+            let inside = judge.space.inside(maker, seed(), budget().points);
+            let outside = judge.space.outside(maker, seed(), budget().points);
+            [inside.list, outside.list].concat()
+        };
+        let list = Maker::ALL.into_iter().flat_map(points).collect();
+        shapes::check_batch(judge, &Points { origin: format!("every maker, seed {}", seed()), list })
+    });
+}
+
+#[test]
+fn single_precision_is_rounded_once() {
+    demand(|judge| {
+        let points = judge.space.inside(Maker::Logarithmic, seed(), budget().points);
+        let judged = shapes::check_single(judge, &points)?;
+        let enough = 2 * judged > points.list.len();
+        enough.then_some(()).ok_or_else(|| format!("{}: only {judged} points judged", judge.kernel.info.name))
+    });
+}
