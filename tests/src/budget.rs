@@ -10,6 +10,8 @@ pub const VARIABLE: &str = "CLOSEDFORM_BUDGET";
 pub struct Budget {
     /// Points for each kernel and input maker.
     pub points: usize,
+    /// Points for each kernel to decide whether they are inside the domain: a cheap question.
+    pub edges: usize,
     /// Starts of a climb for each kernel.
     pub climbs: usize,
     /// Steps of a climb.
@@ -18,9 +20,9 @@ pub struct Budget {
     pub laws: usize,
 }
 
-const QUICK: Budget = Budget { points: 64, climbs: 4, steps: 64, laws: 64 };
-const FULL: Budget = Budget { points: 2_000, climbs: 24, steps: 500, laws: 1_000 };
-const EXTENSIVE: Budget = Budget { points: 100_000, climbs: 400, steps: 4_000, laws: 20_000 };
+const QUICK: Budget = Budget { points: 64, edges: 1_000, climbs: 4, steps: 64, laws: 64 };
+const FULL: Budget = Budget { points: 2_000, edges: 20_000, climbs: 24, steps: 500, laws: 1_000 };
+const EXTENSIVE: Budget = Budget { points: 100_000, edges: 1_000_000, climbs: 400, steps: 4_000, laws: 20_000 };
 
 /// The budget that the environment asks for.
 pub fn budget() -> Budget {

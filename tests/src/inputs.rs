@@ -99,26 +99,34 @@ impl Space {
 
     /// `count` points inside the domain; none where the kernel has none of this kind.
     pub fn inside(&self, maker: Maker, seed: u64, count: usize) -> Points {
-        self.points(maker, seed, count, Space::admits)
-    }
-
-    /// `count` points outside the domain; none where the kernel has none of this kind, or takes everything.
-    pub fn outside(&self, maker: Maker, seed: u64, count: usize) -> Points {
-        let count = if self.edges.is_empty() { 0 } else { count };
-        self.points(maker, seed, count, |space, point| moderate(point) && !space.domain.contains(point))
-    }
-
-    fn points(&self, maker: Maker, seed: u64, count: usize, wanted: impl Fn(&Self, &[f64]) -> bool) -> Points {
         let mut random = Random::new(seed, &format!("{} {maker:?}", self.info.name));
         let count = if self.has(maker) { count } else { 0 };
-        let list = (0..count).map(|_| self.point(maker, &mut random, &wanted)).collect();
-        Points { origin: format!("{maker:?}, seed {seed}"), list }
+        let point = |_| self.first(|| self.candidate(maker, &mut random), |point| self.admits(point));
+        Points { origin: format!("{maker:?}, seed {seed}"), list: (0..count).map(point).collect() }
     }
 
-    fn point(&self, maker: Maker, random: &mut Random, wanted: impl Fn(&Self, &[f64]) -> bool) -> Vec<f64> {
-        let mut candidates = (0..TRIES).filter_map(|_| self.candidate(maker, random));
-        let found = candidates.find(|point| wanted(self, point));
-        found.unwrap_or_else(|| panic!("{}: {maker:?} finds no points in {TRIES} tries", self.info.name))
+    /// `count` points outside the domain, at its edges and of wrong signs; none where the kernel takes everything.
+    pub fn outside(&self, seed: u64, count: usize) -> Points {
+        let mut random = Random::new(seed, &format!("{} outside", self.info.name));
+        let count = if self.has(Maker::Edges) { count } else { 0 };
+        let candidate = |random: &mut Random| {
+            let maker = *random.pick(&[Maker::Edges, Maker::Logarithmic]);
+            let mut point = self.candidate(maker, random)?;
+            if maker == Maker::Logarithmic {
+                point.iter_mut().for_each(|value| *value *= *random.pick(&[1.0, -1.0]));
+            }
+            Some(point)
+        };
+        let refused = |point: &[f64]| moderate(point) && !self.domain.contains(point);
+        let list = (0..count).map(|_| self.first(|| candidate(&mut random), refused)).collect();
+        Points { origin: format!("outside, seed {seed}"), list }
+    }
+
+    /// The first candidate that is wanted.
+    fn first(&self, mut candidate: impl FnMut() -> Option<Vec<f64>>, wanted: impl Fn(&[f64]) -> bool) -> Vec<f64> {
+        let mut candidates = (0..TRIES).filter_map(|_| candidate());
+        let found = candidates.find(|point| wanted(point));
+        found.unwrap_or_else(|| panic!("{}: no point in {TRIES} tries", self.info.name))
     }
 
     fn candidate(&self, maker: Maker, random: &mut Random) -> Option<Vec<f64>> {
@@ -220,7 +228,7 @@ fn nudged(value: f64, scale: f64, random: &mut Random) -> f64 {
     let sign = *random.pick(&[1.0, -1.0]);
     match random.below(10) {
         0 => value,
-        1 => value + sign * (1 + random.below(4)) as f64 * (value.abs().next_up() - value.abs()),
+        1..=3 => value + sign * (1 + random.below(3)) as f64 * (value.abs().next_up() - value.abs()),
         _ => value + sign * scale * random.unit().exp2() * 0.5_f64.powi(1 + random.below(44) as i32),
     }
 }

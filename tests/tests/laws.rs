@@ -55,10 +55,12 @@ fn arrivals_close_the_segment() {
 fn arrivals_are_on_their_branch() {
     demand(
         "pvt::arrival_first",
+        &["t1", "a1"],
         &["not (x1 > x0 and (v1+2*v0 > 0 or a0 > 0)) or t1 > 0", "not (x1 < x0 and v1+2*v0 < 0 and a0 > 0) or t1 > 0"],
     );
     demand(
         "pvt::arrival_last",
+        &["t1", "a1"],
         &["not (x1 > x0 and v1+2*v0 > 0 and a0 < 0) or t1 > 0", "not (x1 < x0 and (v1+2*v0 < 0 or a0 < 0)) or t1 > 0"],
     );
 }
@@ -76,6 +78,7 @@ fn turning_out_comes_to_rest() {
 fn minimal_jerk_closes_the_segment() {
     demand(
         "pvt::min_jerk_segment",
+        &["t1", "delta_a"],
         &["x1 = x0+v0*t1+(2*(ai+delta_a)+(af-delta_a))*t1^2/6", "v1 = v0+(ai+af)*t1/2", "t1 > 0"],
     );
 }
@@ -101,6 +104,7 @@ fn outer_and_inner_ramps_close_the_move() {
 fn ramps_close_on_the_step() {
     demand(
         "turnaround::t_in",
+        &["tIn"],
         &[
             "2*a2Max*tIn^2/6+2*(a2Max*tIn/2*tOut+a2Max*tOut^2/3)+tEdgeTotal*(a2Max*tIn/2+a2Max*tOut/2) = d2Step",
             "tIn > 0",
@@ -113,6 +117,7 @@ fn ramps_close_on_the_step() {
     );
     demand(
         "turnaround::ramp_out",
+        &["d2_out", "v2_out"],
         &[
             "d2_out = a2Max*tIn/2*tOut+a2Max*tOut^2/2-a2Max*tOut^2/6",
             "v2_out = a2Max*tIn/2+a2Max*tOut/2",
@@ -132,6 +137,7 @@ fn tau_and_delta_solve_the_turn_around() {
     let squared = "(tIn+3*tau-3*tEFSkip/2)^2 = tau^2+3*delta";
     demand(
         "turnaround::t_in_of_tau",
+        &["tIn"],
         &["(tIn+3*tau-3*tEFSkip/2)^2 = tau^2+3*delta", "tIn > 0 and 2*tIn+6*tau-3*tEFSkip >= 0"],
     );
     demand("turnaround::tau_of_t_in", &["tau"], &[squared, "tau > 0 and 2*tIn+6*tau-3*tEFSkip >= 0"]);
@@ -139,6 +145,7 @@ fn tau_and_delta_solve_the_turn_around() {
     demand("turnaround::delta_of_tau", &["delta"], &[squared, "delta > 0"]);
     demand(
         "turnaround::delta_of_t_edge",
+        &["delta"],
         &["tIn^2/3+tIn*(tOut+tEdge/2)+2*(tOut+tEdge/2)^2/3+tEFSkip*(tIn+tOut+tEdge/2)/2 = delta", "delta > 0"],
     );
     demand(
@@ -153,10 +160,12 @@ fn largest_acceleration_makes_the_step() {
     demand("turnaround::a2_max_of_tau", &["a2Max"], &["a2Max*((tIn+3*tau)^2-tau^2) = 3*d2Step", "a2Max > 0"]);
     demand(
         "turnaround::da2_max_dtau",
+        &["slope"],
         &["slope*((tIn+3*tau)^2-tau^2)^2 = -3*d2Step*(6*(tIn+3*tau)-2*tau)", "slope < 0"],
     );
     demand(
         "turnaround::dtau_da2_max",
+        &["slope"],
         &[
             "-3*slope*d2Step*(6*(tIn+3*(tOut/2+tEdge/4))-2*(tOut/2+tEdge/4)) \
          = ((tIn+3*(tOut/2+tEdge/4))^2-(tOut/2+tEdge/4)^2)^2",
@@ -169,6 +178,7 @@ fn largest_acceleration_makes_the_step() {
 fn the_share_of_the_ramps_in_is_by_their_times() {
     demand(
         "turnaround::k_of_t_in",
+        &["K"],
         &[
             "K*(tIn+positive_root(2*T^2/3+(tIn+tEFSkip/2)*T+tIn^2/3+tEFSkip*tIn/2-delta,T)) \
          *(tIn+2*positive_root(2*T^2/3+(tIn+tEFSkip/2)*T+tIn^2/3+tEFSkip*tIn/2-delta,T)) = tIn^2",
@@ -196,6 +206,7 @@ fn tau_and_delta_undo_each_other() {
 fn the_optimum_solves_both_axes() {
     demand(
         "optimum::t_i",
+        &["t_i"],
         &[
             "8*t_i^2*(v+Delta)^2+6*t_i^2*(v+Delta)*(a*t_i+Delta)+(t_i^2-3*delta)*(a*t_i+Delta)^2 = 0",
             "(t_i+3*t_i*(v+Delta)/(a*t_i+Delta))^2 = (t_i*(v+Delta)/(a*t_i+Delta))^2+3*delta",
@@ -207,9 +218,9 @@ fn the_optimum_solves_both_axes() {
 
 #[test]
 fn the_optimum_of_the_seed_is_found() {
-    // To the digits that the seed prints.
+    // The seed prints these digits, and not the next ones.
     let t_i = judge_of("optimum::t_i").actual(&[500.0, 0.5, 0.001, 0.001])[0];
-    assert_eq!(format!("{t_i:.16}"), "0.0517755356486726");
+    assert!(format!("{t_i:.20}").starts_with("0.0517755356486726"), "{t_i}");
 }
 
 #[test]

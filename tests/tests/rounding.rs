@@ -60,12 +60,9 @@ fn bounds_are_kept_or_shrunk() {
 #[test]
 fn outside_the_domain_is_nan_and_named() {
     demand(|judge| {
-        let count = budget().points;
-        let points = |maker| [judge.space.outside(maker, seed(), count), judge.space.inside(maker, seed(), count)];
-        [Maker::Edges, Maker::Reals]
-            .into_iter()
-            .flat_map(points)
-            .try_for_each(|points| shapes::check_domain(judge, &points))
+        let inside = judge.space.inside(Maker::Edges, seed(), budget().edges);
+        let outside = judge.space.outside(seed(), budget().edges);
+        [inside, outside].iter().try_for_each(|points| shapes::check_domain(judge, points))
     });
 }
 
@@ -77,12 +74,8 @@ fn only_finite_inputs_are_taken() {
 #[test]
 fn batches_have_the_bits_of_single_calls() {
     demand(|judge| {
-        let points = |maker| {
-            let inside = judge.space.inside(maker, seed(), budget().points);
-            let outside = judge.space.outside(maker, seed(), budget().points);
-            [inside.list, outside.list].concat()
-        };
-        let list = Maker::ALL.into_iter().flat_map(points).collect();
+        let inside = Maker::ALL.map(|maker| judge.space.inside(maker, seed(), budget().points).list);
+        let list = [inside.concat(), judge.space.outside(seed(), budget().points).list].concat();
         shapes::check_batch(judge, &Points { origin: format!("every maker, seed {}", seed()), list })
     });
 }

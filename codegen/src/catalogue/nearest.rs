@@ -46,7 +46,8 @@ mod tests {
 
     #[test]
     fn names_come_once_and_nearest_first() {
-        let spellings = [("t_in", "a::t_in"), ("a::t_in", "a::t_in"), ("t_out", "a::t_out"), ("x", "b::x"), ("y", "b::y")];
+        let spellings =
+            [("t_in", "a::t_in"), ("a::t_in", "a::t_in"), ("t_out", "a::t_out"), ("x", "b::x"), ("y", "b::y")];
         let spellings = spellings.map(|(spelling, name)| (spelling.to_owned(), name.to_owned()));
         assert_eq!(nearest("t_i", spellings), ["a::t_in", "a::t_out", "b::x"]);
     }

@@ -17,11 +17,10 @@ pub fn function_text<'a>(text: &'a str, name: &str) -> &'a str {
 
 /// Every line with its offset.
 fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let ends = text.split_inclusive('\n').scan(0, |end, line| {
+    text.split_inclusive('\n').scan(0, |end, line| {
         *end += line.len();
         Some((*end - line.len(), line))
-    });
-    ends.into_iter()
+    })
 }
 
 fn declares(line: &str, name: &str) -> bool {
@@ -40,9 +39,11 @@ mod tests {
 
     #[test]
     fn the_slice_is_the_whole_function() {
-        let text = "/// `pub fn f(`\npub fn ff(x: f64) -> f64 {\n    x\n}\n\npub fn f(\n    x: f64,\n) -> S {\n    S {\n        x,\n    }\n}\n";
-        assert_eq!(function_text(text, "f"), "pub fn f(\n    x: f64,\n) -> S {\n    S {\n        x,\n    }\n}");
-        assert_eq!(function_text(text, "ff"), "pub fn ff(x: f64) -> f64 {\n    x\n}");
-        assert_eq!(function_text(text, "g"), "");
+        let (short, long) =
+            ("pub fn ff(x: f64) -> f64 {\n    x\n}", "pub fn f(\n    x: f64,\n) -> S {\n    S {\n        x,\n    }\n}");
+        let text = format!("/// `pub fn f(`\n{short}\n\n{long}\n");
+        assert_eq!(function_text(&text, "f"), long);
+        assert_eq!(function_text(&text, "ff"), short);
+        assert_eq!(function_text(&text, "g"), "");
     }
 }

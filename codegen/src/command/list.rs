@@ -22,7 +22,11 @@ pub struct Args {
 pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
     let catalogue = Catalogue::open(root)?;
     let kernels: Vec<Description> = catalogue.entries().iter().map(Description::of).collect();
-    if args.json { output::print_json(&kernels)? } else { output::print(&text(&kernels))? }
+    if args.json {
+        output::print_json(&kernels)?
+    } else {
+        output::print(&text(&kernels))?
+    }
     Ok(())
 }
 

@@ -36,7 +36,11 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
     let catalogue = Catalogue::open(root)?;
     let entry = catalogue.find(&args.kernel)?;
     let page = Page { description: Description::of(entry), rust: entry.rust.clone() };
-    if args.json { output::print_json(&page)? } else { output::print(&page.text())? }
+    if args.json {
+        output::print_json(&page)?
+    } else {
+        output::print(&page.text())?
+    }
     Ok(())
 }
 
@@ -68,7 +72,8 @@ fn section(text: &mut String, heading: &str, lines: impl IntoIterator<Item = Str
 
 fn input_line(input: &InputDescription) -> String {
     let typical = input.typical.map(|[low, high]| format!(", typically {low:?} to {high:?}")).unwrap_or_default();
-    let name = if input.maxima == input.name { input.name.clone() } else { format!("{} ({})", input.name, input.maxima) };
+    let name =
+        if input.maxima == input.name { input.name.clone() } else { format!("{} ({})", input.name, input.maxima) };
     format!("{}{typical}", with_unit(&name, &input.unit))
 }
 

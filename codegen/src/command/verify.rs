@@ -90,7 +90,11 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
         }
     }
     bar.finish_and_clear();
-    if args.json { output::print_json(&rows)? } else { output::print(&report::text(&rows, args.seed))? }
+    if args.json {
+        output::print_json(&rows)?
+    } else {
+        output::print(&report::text(&rows, args.seed))?
+    }
     conclude(&rows, unmeasured)
 }
 
@@ -154,7 +158,8 @@ fn summary(exceeded: usize, unmeasured: usize) -> String {
 
 /// A bar on standard error; hidden where that is no terminal.
 fn progress_bar(points: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:30} {percent:>3}% {msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
+    let style =
+        ProgressStyle::with_template("{bar:30} {percent:>3}% {msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
     ProgressBar::with_draw_target(Some(points), ProgressDrawTarget::stderr()).with_style(style)
 }
 

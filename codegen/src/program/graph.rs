@@ -210,11 +210,23 @@ impl Graph {
         match self.op(a).clone() {
             Op::Literal(value) => self.constant(&-value),
             Op::Neg(inner) => inner,
+            Op::Mul(x, y) if self.leads_with_literal(x) => {
+                let turned = self.neg(x);
+                self.mul(turned, y)
+            }
             Op::Sub(x, y) => {
                 let turned = self.sub(y, x);
                 self.with_error(turned, -self.sign(a), self.error(a))
             }
             _ => self.push(Op::Neg(a), -self.sign(a), self.error(a)),
+        }
+    }
+
+    fn leads_with_literal(&self, node: Node) -> bool {
+        match *self.op(node) {
+            Op::Literal(_) => true,
+            Op::Mul(first, _) => self.leads_with_literal(first),
+            _ => false,
         }
     }
 
@@ -248,6 +260,10 @@ impl Graph {
     /// The product.
     pub fn mul(&mut self, a: Node, b: Node) -> Node {
         for (one, other) in [(a, b), (b, a)] {
+            if let Op::Neg(inner) = *self.op(other) {
+                let product = self.mul(one, inner);
+                return self.neg(product);
+            }
             if let Some(value) = self.literal(one) {
                 if value.is_one() {
                     return other;

@@ -2,6 +2,7 @@
 
 use super::expression::Printer;
 use crate::program::{Condition, Graph, Op, Program};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// Everything that a family's file says.
@@ -170,21 +171,36 @@ fn print_docs(text: &mut String, kernel: &KernelText) {
 
 fn bound_line(kernel: &KernelText, result: &ResultText) -> String {
     let what = if kernel.results.len() == 1 { String::new() } else { format!("`{}`: ", result.name) };
-    let slices = kernel.graph_has_slices();
-    let floor = if slices { ", while the terms of each `compensated!` slice cancel by less than 2^40" } else { "" };
+    let floor = match (kernel.reaches(is_slice), kernel.reaches(is_iteration)) {
+        (true, false) => ", while the terms of each `compensated!` slice cancel by less than 2^40",
+        (true, true) => ", while the terms of each coefficient cancel by less than 2^40",
+        (false, _) => "",
+    };
     format!("- {what}at most {} ulp, barring overflow and underflow{floor}", result.bound)
 }
 
-impl KernelText {
-    fn graph_has_slices(&self) -> bool {
-        self.program.lets.iter().map(|step| step.node).chain(self.program.outputs.iter().copied()).any(|node| {
-            self.reaches_slice(node)
-        })
-    }
+fn is_slice(op: &Op) -> bool {
+    matches!(op, Op::Compensated(_))
+}
 
-    fn reaches_slice(&self, node: crate::program::Node) -> bool {
-        matches!(self.graph.op(node), Op::Compensated(_))
-            || self.graph.operands(node).into_iter().any(|operand| self.reaches_slice(operand))
+fn is_iteration(op: &Op) -> bool {
+    matches!(op, Op::PositiveRoot(_))
+}
+
+impl KernelText {
+    /// Whether the program has a step of some kind.
+    fn reaches(&self, kind: fn(&Op) -> bool) -> bool {
+        let mut open = self.program.outputs.clone();
+        let mut seen = BTreeSet::new();
+        while let Some(node) = open.pop() {
+            if kind(self.graph.op(node)) {
+                return true;
+            }
+            if seen.insert(node) {
+                open.extend(self.graph.operands(node));
+            }
+        }
+        false
     }
 }
 

@@ -250,9 +250,13 @@ impl Builder {
         Ok(match nested {
             Nested::Constant(value) => self.graph.constant(value),
             Nested::Var(var) => self.variable(*var)?,
-            Nested::Sum(a, b) => {
+            Nested::Sum(a, b, signs) => {
                 let (a, b) = (self.plain_steps(a)?, self.plain_steps(b)?);
-                self.graph.add(a, b)
+                self.graph.learn(a, signs[0]);
+                self.graph.learn(b, signs[1]);
+                let sum = self.graph.add(a, b);
+                self.graph.learn(sum, signs[2]);
+                sum
             }
             Nested::Product(a, b) => {
                 let (a, b) = (self.plain_steps(a)?, self.plain_steps(b)?);
@@ -285,7 +289,7 @@ impl Builder {
                 }
                 None => Wide::Leaf(self.variable(*var)?),
             },
-            Nested::Sum(a, b) => self.wide_sum(a, b)?,
+            Nested::Sum(a, b, _) => self.wide_sum(a, b)?,
             Nested::Product(a, b) => {
                 Wide::Mul(Box::new(self.wide_steps(a)?), Box::new(self.wide_steps(b)?))
             }

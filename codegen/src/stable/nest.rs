@@ -1,7 +1,7 @@
 //! Nested forms: a polynomial as sums and products with few operations, plain or for double-double.
 
 use crate::algebra::{Factors, Polynomial, Var};
-use crate::field::Facts;
+use crate::field::{Facts, Sign};
 use crate::program::{is_exact, is_power_of_two};
 use num_rational::BigRational;
 use num_traits::{One, Signed};
@@ -14,8 +14,8 @@ pub enum Nested {
     Constant(BigRational),
     /// A variable.
     Var(Var),
-    /// The sum of two parts.
-    Sum(Box<Nested>, Box<Nested>),
+    /// The sum of two parts, with the signs of both and of the sum on the domain.
+    Sum(Box<Nested>, Box<Nested>, [Sign; 3]),
     /// The product of two parts.
     Product(Box<Nested>, Box<Nested>),
 }
@@ -66,7 +66,8 @@ impl<'f> Nester<'f> {
     fn product_of_factors(&mut self, polynomial: &Polynomial) -> Option<(Nested, usize)> {
         let mut factors = polynomial.factors();
         let single = factors.powers.len() == 1 && factors.powers[0].1 == 1;
-        if single && polynomial.len() > 1 && factors.constant.abs().is_one() {
+        let upright = factors.constant.is_one() || factors.constant.abs().is_one() && has_both_signs(polynomial);
+        if single && polynomial.len() > 1 && upright {
             return None;
         }
         turn_minus_into_a_difference(&mut factors);
@@ -114,16 +115,18 @@ impl<'f> Nester<'f> {
         let power = coefficients.iter().skip(1).position(|c| !c.is_zero())? as u32 + 1;
         let factor = polynomial.ring().variable(var).power(power);
         let quotient = polynomial.minus(&rest).divided_by(&factor)?;
-        if !self.may_add(&rest, &quotient.times(&factor)) {
+        let multiple = quotient.times(&factor);
+        if !self.may_add(&rest, &multiple) {
             return None;
         }
+        let signs = [&multiple, &rest, polynomial].map(|part| self.facts.sign(part));
         let (rest, rest_cost) = self.search(&rest)?;
         let (quotient_nested, quotient_cost) = self.search(&quotient)?;
         let mut factors = vec![Nested::Var(var); power as usize];
         factors.push(quotient_nested);
         let product = product(factors);
         let cost = rest_cost + quotient_cost + power as usize + 1;
-        Some((Nested::Sum(Box::new(product), Box::new(rest)), cost))
+        Some((Nested::Sum(Box::new(product), Box::new(rest), signs), cost))
     }
 
     fn may_add(&self, a: &Polynomial, b: &Polynomial) -> bool {
@@ -143,12 +146,18 @@ impl<'f> Nester<'f> {
     }
 }
 
-/// Lets a factor that is a sum take the minus of the constant.
+fn has_both_signs(polynomial: &Polynomial) -> bool {
+    let terms = polynomial.terms();
+    let negative = terms.iter().filter(|term| term.coefficient.is_negative()).count();
+    negative > 0 && negative < terms.len()
+}
+
+/// Lets a factor that is a difference take the minus of the constant.
 fn turn_minus_into_a_difference(factors: &mut Factors) {
     if !factors.constant.is_negative() {
         return;
     }
-    if let Some((factor, _)) = factors.powers.iter_mut().find(|(factor, power)| factor.len() > 1 && power % 2 == 1) {
+    if let Some((factor, _)) = factors.powers.iter_mut().find(|(factor, power)| has_both_signs(factor) && power % 2 == 1) {
         *factor = factor.negated();
         factors.constant = -factors.constant.clone();
     }

@@ -81,8 +81,8 @@ impl Family {
         Ok(Self { name: name.to_owned(), contract, references, paths })
     }
 
-    /// Reads a worksheet that may stand alone: without a contract beside it every definition becomes a kernel of one result,
-    /// on the domain that its formula has by itself.
+    /// Reads a worksheet that may stand alone: without a contract beside it every definition becomes a kernel of one
+    /// result, without conditions on its inputs.
     pub fn from_worksheet(path: &Path) -> Result<Self, FamilyError> {
         stranger::load(path)
     }
@@ -116,7 +116,11 @@ pub fn family_names(folder: &Path) -> Result<Vec<String>, ReadError> {
 }
 
 /// The definitions of a reference text, in contract order, if they are what the contract promises.
-pub(super) fn check_references(path: &Path, text: &str, contract: &Contract) -> Result<Vec<Definition>, ReferenceError> {
+pub(super) fn check_references(
+    path: &Path,
+    text: &str,
+    contract: &Contract,
+) -> Result<Vec<Definition>, ReferenceError> {
     reference::check(path, text, contract)
 }
 

@@ -38,8 +38,8 @@ impl Default for Maxima {
 }
 
 impl Maxima {
-    /// Runs the worksheet, then the driver: Maxima statements that call `closedform_say(text)` to send a message. Nothing
-    /// is written outside a temporary folder, unless the worksheet itself writes.
+    /// Runs the worksheet, then the driver: Maxima statements that call `closedform_say(text)` to send a message.
+    /// Nothing is written outside a temporary folder, unless the worksheet itself writes.
     pub fn run(&self, worksheet: &Path, driver: &str) -> Result<Vec<Message>, ProcessError> {
         let remedy = "write the worksheet of this family, a Maxima batch file";
         let text = source::read(worksheet, remedy)?;
@@ -63,10 +63,9 @@ impl Maxima {
 fn places(worksheet: &Path, text: &str) -> Result<Vec<std::ops::Range<usize>>, ProcessError> {
     let statements = statements(text);
     match statements.last().filter(|last| !last.ended) {
-        Some(last) => Err(ProcessError::Unended {
-            text: source::named(worksheet, text),
-            place: last.place.clone().into(),
-        }),
+        Some(last) => {
+            Err(ProcessError::Unended { text: source::named(worksheet, text), place: last.place.clone().into() })
+        }
         None => Ok(statements.into_iter().map(|statement| statement.place).collect()),
     }
 }
@@ -102,7 +101,11 @@ struct Files {
 
 impl Files {
     fn new(folder: &Path) -> Self {
-        Self { marks: folder.join("marks.lisp"), batch: folder.join("worksheet.mac"), driver: folder.join("driver.mac") }
+        Self {
+            marks: folder.join("marks.lisp"),
+            batch: folder.join("worksheet.mac"),
+            driver: folder.join("driver.mac"),
+        }
     }
 
     fn write(&self, worksheet: &str, driver: &str, marks: &Marks) -> std::io::Result<()> {
@@ -125,4 +128,5 @@ impl Files {
 
 /// Whatever the worksheet chose, the driver prints whole expressions with all digits, and computes exactly.
 const SETTINGS: &str = "display2d: false$ fpprintprec: 0$ obase: 10$ ratprint: false$ numer: false$ float: false$ \
-                        keepfloat: false$ bftorat: false$ simp: true$ sqrtdispflag: true$ exptdispflag: true$ noundisp: false$\n";
+                        keepfloat: false$ bftorat: false$ simp: true$ sqrtdispflag: true$ exptdispflag: true$ \
+                        noundisp: false$\n";

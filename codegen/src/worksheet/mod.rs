@@ -1,4 +1,4 @@
-//! The first stage: a family on disk (worksheet, contract, reference expressions, golden values) becomes values in memory.
+//! The first stage: a family on disk (worksheet, contract, references, golden values) becomes values in memory.
 
 pub mod contract;
 pub mod derive;

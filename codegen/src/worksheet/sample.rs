@@ -21,8 +21,15 @@ const TRIES: usize = 1_000;
 const DRAWS: usize = 64;
 
 /// Relative distances from an edge, or between nearly equal inputs.
-const DISTANCES: [f64; 7] = [power_of_half(1), power_of_half(4), power_of_half(10), power_of_half(20),
-    power_of_half(30), power_of_half(40), power_of_half(50)];
+const DISTANCES: [f64; 7] = [
+    power_of_half(1),
+    power_of_half(4),
+    power_of_half(10),
+    power_of_half(20),
+    power_of_half(30),
+    power_of_half(40),
+    power_of_half(50),
+];
 
 const fn power_of_half(exponent: u32) -> f64 {
     1.0 / (1_u64 << exponent) as f64
@@ -37,8 +44,8 @@ pub struct EmptyDomain {
     pub conditions: Vec<String>,
 }
 
-/// Different points of a domain, the same for the same seed: every other one at random, the rest at the edges of the domain,
-/// at zeros and at nearly equal inputs. Fewer than `count` where the domain has no more.
+/// Different points of a domain, the same for the same seed: every other one at random, the rest at the edges of the
+/// domain, at zeros and at nearly equal inputs. Fewer than `count` where the domain has no more.
 pub fn sample(domain: &Domain, inputs: &[&Input], count: usize, seed: u64) -> Result<Vec<Vec<f64>>, EmptyDomain> {
     let mut sampler = Sampler { domain, inputs, edges: Edges::new(domain), random: Random::new(seed) };
     let mut points = Vec::new();
@@ -242,7 +249,9 @@ mod tests {
 
     #[test]
     fn thin_and_distant_domains_are_found() {
-        for domain in [r#"["y > x", "y < x+x/1000000"]"#, r#"["x > 1000000*y", "z > 1000*x"]"#, r#"["x <= -2", "y*z > 5"]"#] {
+        for domain in
+            [r#"["y > x", "y < x+x/1000000"]"#, r#"["x > 1000000*y", "z > 1000*x"]"#, r#"["x <= -2", "y*z > 5"]"#]
+        {
             assert_eq!(points(domain, 50, 3).map(|points| points.len()), Ok(50), "{domain}");
         }
     }

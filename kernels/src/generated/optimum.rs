@@ -33,7 +33,7 @@ use closedform::kernel;
 ///
 /// # Error
 ///
-/// - at most 0.51 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 0.51 ulp, barring overflow and underflow, while the terms of each coefficient cancel by less than 2^40
 ///
 /// From: second numbering 2, %o259.
 #[kernel(
@@ -41,7 +41,7 @@ use closedform::kernel;
     maxima = "t_i(a,v,Delta,delta):=positive_root(t^2*(8*v^2+22*Delta*v-3*a^2*delta+15*Delta^2)+t^3*(6*a*v+8*Delta*a)+a^2*t^4-6*Delta*a*delta*t-3*Delta^2*delta,t)",
     latex = "t_{i} = \\operatorname{root}_{t>0}\\left(t^{2}\\,\\left(8\\,v^{2}+22\\,\\Delta\\,v-3\\,a^{2}\\,\\delta+15\\,\\Delta^{2}\\right)+t^{3}\\,\\left(6\\,a\\,v+8\\,\\Delta\\,a\\right)+a^{2}\\,t^{4}-6\\,\\Delta\\,a\\,\\delta\\,t-3\\,\\Delta^{2}\\,\\delta\\right)",
     source = "second numbering 2, %o259",
-    rules("compensated", "factored", "falling-newton"),
+    rules("compensated", "factored", "falling-newton", "known-sum"),
     bound = 0.51,
     result(worksheet = "t_i", unit = "s"),
 )]
@@ -58,19 +58,17 @@ pub fn t_i(
     // compensated
     let cancelling = compensated!(delta_v * (22.0 * v + 15.0 * delta_v) + (8.0 * v * v - 3.0 * a * a * delta));
     let product = 2.0 * a;
-    // compensated
-    let cancelling2 = compensated!(3.0 * v + 4.0 * delta_v);
     // factored
-    let product2 = product * cancelling2;
+    let product2 = product * (3.0 * (v + delta_v) + delta_v);
     // falling-newton
     let start = positive_root([-3.0 * delta_v * delta_v * delta, -6.0 * a * delta_v * delta, cancelling, product2, a * a]);
-    let cancelling3 = compensated!(
+    let cancelling2 = compensated!(
         start * (start * (a * (start * (6.0 * v + (a * start + 8.0 * delta_v)) - 3.0 * a * delta) + (2.0 * v + 3.0 * delta_v) * (4.0 * v + 5.0 * delta_v)) - 6.0 * a * delta_v * delta)
         - 3.0 * delta_v * delta_v * delta
     );
     // falling-newton
     start
-        - start * (cancelling3 / (((product * a * start + product2) * start * start + 6.0 * a * delta_v * delta) * start + 6.0 * delta_v * delta_v * delta))
+        - start * (cancelling2 / (((product * a * start + product2) * start * start + 6.0 * a * delta_v * delta) * start + 6.0 * delta_v * delta_v * delta))
 }
 
 /// Half the time of the ramp out with which the scan axis comes to rest after a ramp in of the time t_i.

@@ -307,7 +307,7 @@ pub fn arrival_first(
         a1: if (cancelling2 >= 0.0 && difference2 >= 0.0) || (cancelling2 <= 0.0 && difference2 <= 0.0) {
             (root * difference2 + cancelling2) / (3.0 * difference)
         } else {
-            a0 * cancelling3 / (-root * difference2 + cancelling2)
+            a0 * cancelling3 / (cancelling2 - difference2 * root)
         },
     }
 }
@@ -390,7 +390,7 @@ pub fn arrival_last(
     ArrivalLast {
         t1: if sum >= 0.0 { -(root + sum) / a0 } else { -6.0 * difference / (root - sum) },
         a1: if (cancelling2 >= 0.0 && difference3 >= 0.0) || (cancelling2 <= 0.0 && difference3 <= 0.0) {
-            (-root * difference2 + cancelling2) / (3.0 * difference)
+            (cancelling2 - difference2 * root) / (3.0 * difference)
         } else {
             a0 * cancelling3 / (root * difference2 + cancelling2)
         },
@@ -524,7 +524,7 @@ pub fn min_jerk_segment(
     let difference = v1 - v0;
     // compensated
     let cancelling = compensated!(
-        2.0 * v0 * (v0 * (-1.0 * ai - 2.0 * af) + v1 * (af - ai))
+        2.0 * v0 * (v1 * (af - ai) - v0 * (2.0 * af + ai))
         + (2.0 * v1 * v1 * (2.0 * ai + af) - 3.0 * (x1 - x0) * (ai + af) * (ai + af))
     );
     MinJerkSegment {

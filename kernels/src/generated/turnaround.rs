@@ -75,14 +75,14 @@ pub fn outer_ramp(
     require!(t3 > 0.0, "t3 > 0");
     require!(a0 > 0.0, "a0 > 0");
     require!(delta_x > 0.0, "DeltaX > 0");
-    require!(compensated!(t3 * a0 * (-3.0 * t2 - 4.0 * t3) + 6.0 * delta_x) > 0.0, "6*DeltaX > a0*t3*(4*t3+3*t2)");
+    require!(compensated!(6.0 * delta_x - t3 * a0 * (3.0 * t2 + 4.0 * t3)) > 0.0, "6*DeltaX > a0*t3*(4*t3+3*t2)");
     // compensated
-    let cancelling = compensated!(t3 * a0 * (-3.0 * t2 - 4.0 * t3) + 6.0 * delta_x);
+    let cancelling = compensated!(6.0 * delta_x - t3 * a0 * (3.0 * t2 + 4.0 * t3));
     let product = 2.0 * t3;
     let sum = 3.0 * t2 + product;
     let root = sqrt(a0 * (a0 * sum * sum + 48.0 * delta_x));
     // factored
-    let quotient = -2.0 * -cancelling / (root + 3.0 * a0 * (product + t2));
+    let quotient = 2.0 * cancelling / (root + 3.0 * a0 * (product + t2));
     OuterRamp {
         t0: quotient,
         v0: 0.5 * a0 * quotient,
@@ -160,14 +160,14 @@ pub fn inner_ramp(
     require!(t2 >= 0.0, "t2 >= 0");
     require!(a0 > 0.0, "a0 > 0");
     require!(delta_x > 0.0, "DeltaX > 0");
-    require!(compensated!(t0 * a0 * (-2.0 * t0 - 3.0 * t2) + 6.0 * delta_x) > 0.0, "6*DeltaX > a0*t0*(2*t0+3*t2)");
+    require!(compensated!(6.0 * delta_x - t0 * a0 * (2.0 * t0 + 3.0 * t2)) > 0.0, "6*DeltaX > a0*t0*(2*t0+3*t2)");
     // compensated
-    let cancelling = compensated!(t0 * a0 * (-2.0 * t0 - 3.0 * t2) + 6.0 * delta_x);
+    let cancelling = compensated!(6.0 * delta_x - t0 * a0 * (2.0 * t0 + 3.0 * t2));
     // factored
     let product = 3.0 * a0 * (2.0 * t0 + t2);
-    let root = sqrt(product * product + -16.0 * a0 * -cancelling);
+    let root = sqrt(product * product + 16.0 * a0 * cancelling);
     // factored
-    let quotient = -2.0 * -cancelling / (root + product);
+    let quotient = 2.0 * cancelling / (root + product);
     InnerRamp {
         t3: quotient,
         v0: 0.5 * t0 * a0,
@@ -226,14 +226,14 @@ pub fn t_in(
     require!(t_edge_total >= 0.0, "tEdgeTotal >= 0");
     require!(a2_max > 0.0, "a2Max > 0");
     require!(d2_step > 0.0, "d2Step > 0");
-    require!(compensated!(t_out * a2_max * (-4.0 * t_out - 3.0 * t_edge_total) + 6.0 * d2_step) > 0.0, "6*d2Step > a2Max*tOut*(4*tOut+3*tEdgeTotal)");
+    require!(compensated!(6.0 * d2_step - t_out * a2_max * (4.0 * t_out + 3.0 * t_edge_total)) > 0.0, "6*d2Step > a2Max*tOut*(4*tOut+3*tEdgeTotal)");
     // compensated
-    let cancelling = compensated!(t_out * a2_max * (-4.0 * t_out - 3.0 * t_edge_total) + 6.0 * d2_step);
+    let cancelling = compensated!(6.0 * d2_step - t_out * a2_max * (4.0 * t_out + 3.0 * t_edge_total));
     let product = 2.0 * t_out;
     let sum = product + 3.0 * t_edge_total;
     let root = sqrt(a2_max * (a2_max * sum * sum + 48.0 * d2_step));
     // factored
-    -2.0 * -cancelling / (root + 3.0 * a2_max * (product + t_edge_total))
+    2.0 * cancelling / (root + 3.0 * a2_max * (product + t_edge_total))
 }
 
 /// What [`ramp_in`](fn@ramp_in) returns.
@@ -774,12 +774,12 @@ pub fn t_edge_of_t_in(
     require!(t_in > 0.0, "tIn > 0");
     require!(t_out >= 0.0, "tOut >= 0");
     require!(delta > 0.0, "delta > 0");
-    require!(compensated!(3.0 * delta + (-1.0 * t_in - t_out) * (2.0 * t_out + t_in)) >= 0.0, "3*delta >= (tIn+tOut)*(tIn+2*tOut)");
+    require!(compensated!(3.0 * delta - (t_in + t_out) * (2.0 * t_out + t_in)) >= 0.0, "3*delta >= (tIn+tOut)*(tIn+2*tOut)");
     // compensated
-    let cancelling = compensated!(3.0 * delta + (-1.0 * t_in - t_out) * (2.0 * t_out + t_in));
+    let cancelling = compensated!(3.0 * delta - (t_in + t_out) * (2.0 * t_out + t_in));
     let root = sqrt(24.0 * delta + t_in * t_in);
     // factored
-    -4.0 * -cancelling / (root + (3.0 * t_in + 4.0 * t_out))
+    4.0 * cancelling / (root + (3.0 * t_in + 4.0 * t_out))
 }
 
 /// Largest acceleration with which ramps in of the time tIn make the step d2Step with tau, without a constant velocity segment.
@@ -928,7 +928,7 @@ pub fn dtau_da2_max(
     let sum = product + (t_edge + t_in);
     let sum2 = product + (2.0 * t_in + t_edge);
     // factored
-    -sum * sum * sum2 * sum2 / (24.0 * d2_step * (4.0 * t_out + (2.0 * t_edge + 3.0 * t_in)))
+    -(sum2 * (sum2 * (sum * sum))) / (24.0 * d2_step * (4.0 * t_out + (2.0 * t_edge + 3.0 * t_in)))
 }
 
 /// Share K of the four ramps' travel that the two ramps in make, by tIn, delta and a constant velocity segment tEFSkip.
@@ -978,7 +978,7 @@ pub fn k_of_t_in(
     require!(t_in > 0.0, "tIn > 0");
     require!(t_ef_skip >= 0.0, "tEFSkip >= 0");
     require!(delta > 0.0, "delta > 0");
-    require!(compensated!(t_in * (-2.0 * t_in - 3.0 * t_ef_skip) + 6.0 * delta) > 0.0, "12*delta > 4*tIn^2+6*tIn*tEFSkip");
+    require!(compensated!(6.0 * delta - t_in * (2.0 * t_in + 3.0 * t_ef_skip)) > 0.0, "12*delta > 4*tIn^2+6*tIn*tEFSkip");
     // compensated
     let cancelling = compensated!(t_ef_skip * (3.0 * t_ef_skip - 2.0 * t_in) + 16.0 * delta);
     // compensated

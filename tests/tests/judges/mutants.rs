@@ -133,6 +133,17 @@ pub fn unit(
     compensated!(v * t + 0.5 * a * t * t)
 }
 
+/// A sum rounded in each step.
+#[kernel(family = "sample", bound = 1, result(worksheet = "travel", unit = "m"))]
+pub fn plain_sum(
+    #[input(unit = "m/s", typical(1e-3, 2.0))] v: f64,
+    #[input(unit = "m/s^2", typical(0.1, 50.0))] a: f64,
+    #[input(unit = "s", typical(1e-4, 1e-1))] t: f64,
+) -> f64 {
+    require!(a > 0.0, "a > 0");
+    v * t + 0.5 * a * t * t
+}
+
 /// No bound.
 #[kernel(family = "sample", result(worksheet = "reach", unit = "s"))]
 pub fn unbounded(v: f64, a: f64, x: f64) -> f64 {

@@ -45,7 +45,6 @@ pub fn distance(
     #[input(unit = "s", typical(1e-4, 1e-1))] t: f64,
 ) -> f64 {
     require!(a > 0.0, "a > 0");
-    require!(t >= 0.0, "t >= 0");
     compensated!(v * t + 0.5 * a * t * t)
 }
 

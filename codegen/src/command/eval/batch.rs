@@ -131,7 +131,9 @@ impl Table<'_> {
         let mut written = write(&mut writer, header.iter().map(str::to_owned).chain(self.result_names()));
         let (mut count, mut rows) = (0, Vec::new());
         let mut record = StringRecord::new();
-        while written.is_ok() && let Some(row) = self.next(&mut reader, &mut record)? {
+        while written.is_ok()
+            && let Some(row) = self.next(&mut reader, &mut record)?
+        {
             let cells = row.and_then(|()| read_point(self.entry, &record, &columns)).map(|point| self.results(&point));
             let cells = cells.unwrap_or_else(|cause| {
                 let cells = self.refused(cause.to_string());
@@ -278,17 +280,23 @@ mod tests {
         let Err(BatchError::Rows { count, rows, .. }) = done else { panic!("rows") };
         let messages: Vec<String> = rows.iter().map(ToString::to_string).collect();
         assert_eq!(count, 3);
-        assert_eq!(messages, [
-            "line 2: the input `b`: `x` is not a number",
-            "line 4: 1 columns, where the header has 2",
-            "line 5: it is not UTF-8 text",
-        ]);
+        assert_eq!(
+            messages,
+            [
+                "line 2: the input `b`: `x` is not a number",
+                "line 4: 1 columns, where the header has 2",
+                "line 5: it is not UTF-8 text",
+            ]
+        );
     }
 
     #[test]
     fn the_header_must_name_the_inputs() {
         for header in ["a_max\n1\n", "", "a_max,b,c\n"] {
-            assert!(matches!(evaluated("line::root", header.as_bytes(), None).1, Err(BatchError::Header { .. })), "{header}");
+            assert!(
+                matches!(evaluated("line::root", header.as_bytes(), None).1, Err(BatchError::Header { .. })),
+                "{header}"
+            );
         }
     }
 }

@@ -84,7 +84,8 @@ pub fn point(entry: &Entry, arguments: &[String]) -> Result<Vec<f64>, InputsErro
         }
     }
     let places = places(entry, &names, &mut mistakes);
-    let point: Vec<Option<f64>> = places.iter().map(|place| number(names[*place], values[*place], &mut mistakes)).collect();
+    let point: Vec<Option<f64>> =
+        places.iter().map(|place| number(names[*place], values[*place], &mut mistakes)).collect();
     complete(entry, point.into_iter().flatten().collect(), mistakes)
 }
 
@@ -185,12 +186,15 @@ mod tests {
     fn every_mistake_is_named() {
         let error = given(&["c=1", "a_max=1", "aMax=2", "nothing", "b=1,5"]).unwrap_err();
         let messages: Vec<String> = error.mistakes.iter().map(ToString::to_string).collect();
-        assert_eq!(messages, [
-            "`nothing` gives no input a value",
-            "no input is called `c`",
-            "the input `a_max` is given twice",
-            "the input `b`: `1,5` is not a number",
-        ]);
+        assert_eq!(
+            messages,
+            [
+                "`nothing` gives no input a value",
+                "no input is called `c`",
+                "the input `a_max` is given twice",
+                "the input `b`: `1,5` is not a number",
+            ]
+        );
         assert_eq!(error.expected, "a_max (or aMax) in s, b in s^2");
         let error = given(&[]).unwrap_err();
         assert_eq!(error.mistakes.len(), 2);

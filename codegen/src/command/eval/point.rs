@@ -74,7 +74,11 @@ struct Truth {
 pub fn run(entry: &Entry, arguments: &[String], digits: Option<u32>, json: bool) -> miette::Result<()> {
     let point = inputs::point(entry, arguments)?;
     let evaluation = evaluate(entry, &point, digits)?;
-    if json { output::print_json(&evaluation)? } else { output::print(&evaluation.text())? }
+    if json {
+        output::print_json(&evaluation)?
+    } else {
+        output::print(&evaluation.text())?
+    }
     Ok(())
 }
 
@@ -97,7 +101,9 @@ fn evaluate(entry: &Entry, point: &[f64], digits: Option<u32>) -> miette::Result
     let inputs = kernel.inputs.iter().zip(point);
     Ok(Evaluation {
         kernel: entry.full_name(),
-        inputs: inputs.map(|(input, value)| Number::new(input.name.to_string(), unit_of(&input.unit), *value)).collect(),
+        inputs: inputs
+            .map(|(input, value)| Number::new(input.name.to_string(), unit_of(&input.unit), *value))
+            .collect(),
         results: results.into_iter().zip(truths).enumerate().map(outcome).collect(),
         covered: measure::covers(kernel, point),
     })
@@ -185,7 +191,10 @@ mod tests {
         let evaluation = evaluated("plane::slope", &[1.0], Some(30)).unwrap();
         let text = evaluation.text();
         assert!(text.contains("d = 0.3333333333333333 m\n    hex    0x1.5555555555555p-2\n"), "{text}");
-        assert!(text.contains("    exact  3.33333333333333333333333333333e-1\n    error  0.334 ulp (bound 0.5)\n"), "{text}");
+        assert!(
+            text.contains("    exact  3.33333333333333333333333333333e-1\n    error  0.334 ulp (bound 0.5)\n"),
+            "{text}"
+        );
         let json = serde_json::to_value(&evaluation).unwrap();
         assert_eq!(json["results"][0]["ulp"], 0.0);
         assert_eq!(json["results"][1]["name"], "d");
@@ -195,7 +204,8 @@ mod tests {
     #[test]
     fn points_outside_name_the_condition() {
         let message = |point: &[f64]| evaluated("line::root", point, None).unwrap_err().to_string();
-        let expected = "`line::root`: outside the domain: `aMax >= 0` does not hold for a_max = -1.0 (-0x1p+0), b = 2.0 (0x1p+1)";
+        let expected =
+            "`line::root`: outside the domain: `aMax >= 0` does not hold for a_max = -1.0 (-0x1p+0), b = 2.0 (0x1p+1)";
         assert_eq!(message(&[-1.0, 2.0]), expected);
         assert!(message(&[1.0, f64::INFINITY]).contains("`b is finite` does not hold"));
     }

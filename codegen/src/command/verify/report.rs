@@ -125,7 +125,11 @@ impl WorstPoint {
     fn new(entry: &Entry, worst: &Worst, replay: &Replay) -> Self {
         let inputs = entry.kernel.inputs.iter().zip(&worst.inputs);
         let inputs: Vec<Coordinate> = inputs
-            .map(|(input, value)| Coordinate { name: input.name.to_string(), value: *value, hex: hexfloat::print(*value) })
+            .map(|(input, value)| Coordinate {
+                name: input.name.to_string(),
+                value: *value,
+                hex: hexfloat::print(*value),
+            })
             .collect();
         Self {
             ulp: worst.ulp,

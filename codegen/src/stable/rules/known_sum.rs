@@ -21,7 +21,7 @@ pub fn apply(builder: &mut Builder, polynomial: &Polynomial) -> Result<Option<No
     let slacks: Vec<Slack> = builder.tower.facts.slacks().to_vec();
     for slack in &slacks {
         for var in slack.polynomial.variables() {
-            if !polynomial.contains(var) || polynomial.len() == 2 {
+            if !polynomial.contains(var) || slack.polynomial.primitive().1 == polynomial.primitive().1 {
                 continue;
             }
             if let Some(node) = through(builder, polynomial, slack, var)? {

@@ -103,7 +103,11 @@ impl Checker<'_> {
         for text in &kernel.domain {
             if let Err(cause) = Condition::parse(text.get_ref(), &inputs) {
                 let place = self.within(text, &cause);
-                self.mistakes.push(Mistake::Condition { kernel: kernel.name.get_ref().clone(), cause, span: span(place) });
+                self.mistakes.push(Mistake::Condition {
+                    kernel: kernel.name.get_ref().clone(),
+                    cause,
+                    span: span(place),
+                });
             }
         }
     }
@@ -236,11 +240,7 @@ fn kernel(raw: raw::Kernel) -> KernelContract {
 }
 
 fn result(raw: raw::Result) -> ResultContract {
-    ResultContract {
-        name: raw.name.into_inner(),
-        worksheet: raw.worksheet.into_inner(),
-        unit: raw.unit.into_inner(),
-    }
+    ResultContract { name: raw.name.into_inner(), worksheet: raw.worksheet.into_inner(), unit: raw.unit.into_inner() }
 }
 
 fn maxima_names(kernel: &raw::Kernel) -> Vec<String> {

@@ -10,16 +10,59 @@ const KEYWORDS: &[&str] = &[
     "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-/// Names that mean something in the kernel language, in the code that `#[kernel]` makes of it, or to every Rust program.
+/// Names that mean something in the kernel language, in what `#[kernel]` makes of it, or to every Rust program.
 const TAKEN: &[&str] = &[
-    "abs", "alloc", "batch", "bool", "char", "checked", "closedform", "compensated", "core", "evaluate", "f128", "f16",
-    "f32", "f64", "i128", "i16", "i32", "i64", "i8", "isize", "kernel", "positive_root", "require", "sqrt", "std",
-    "str", "u128", "u16", "u32", "u64", "u8", "usize",
+    "abs",
+    "alloc",
+    "batch",
+    "bool",
+    "char",
+    "checked",
+    "closedform",
+    "compensated",
+    "core",
+    "evaluate",
+    "f128",
+    "f16",
+    "f32",
+    "f64",
+    "i128",
+    "i16",
+    "i32",
+    "i64",
+    "i8",
+    "isize",
+    "kernel",
+    "positive_root",
+    "require",
+    "sqrt",
+    "std",
+    "str",
+    "u128",
+    "u16",
+    "u32",
+    "u64",
+    "u8",
+    "usize",
 ];
 
 /// Type names that generated code or its users already have.
-const TAKEN_TYPES: &[&str] =
-    &["Clone", "Copy", "Debug", "DomainError", "Err", "Info", "Kernel", "None", "Ok", "Option", "Real", "Result", "Self", "Some"];
+const TAKEN_TYPES: &[&str] = &[
+    "Clone",
+    "Copy",
+    "Debug",
+    "DomainError",
+    "Err",
+    "Info",
+    "Kernel",
+    "None",
+    "Ok",
+    "Option",
+    "Real",
+    "Result",
+    "Self",
+    "Some",
+];
 
 /// Why a name cannot be used in generated Rust.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -111,8 +154,15 @@ mod tests {
 
     #[test]
     fn maxima_names_become_snake_case() {
-        let pairs =
-            [("tOut", "t_out"), ("a2Max", "a2_max"), ("T2", "t2"), ("s_t1_1", "s_t1_1"), ("T_", "t"), ("aMAX", "a_max"), ("%pi2", "pi2")];
+        let pairs = [
+            ("tOut", "t_out"),
+            ("a2Max", "a2_max"),
+            ("T2", "t2"),
+            ("s_t1_1", "s_t1_1"),
+            ("T_", "t"),
+            ("aMAX", "a_max"),
+            ("%pi2", "pi2"),
+        ];
         for (maxima, rust) in pairs {
             assert_eq!(snake_case(maxima), rust);
         }

@@ -102,7 +102,11 @@ Error:
 #[test]
 fn inputs_must_be_listed() {
     let unknown = with(r#"["a2Max", "tOut"]"#, r#"["a2Max", "tOut", "t_Out"]"#);
-    points(&unknown, r#""t_Out""#, &["kernel `t_in` takes `t_Out`, which [inputs] does not list", "did you mean `tOut`?"]);
+    points(
+        &unknown,
+        r#""t_Out""#,
+        &["kernel `t_in` takes `t_Out`, which [inputs] does not list", "did you mean `tOut`?"],
+    );
     let unknown = with(r#"["a2Max", "tOut"]"#, r#"["a2Max", "tOut", "dStep"]"#);
     points(&unknown, r#""dStep""#, &["add it: dStep = { name = \"d_step\""]);
     let unused = with("[[kernel]]", "x = { name = \"x\", unit = \"m\" }\n[[kernel]]");
@@ -160,7 +164,11 @@ fn values_must_make_sense() {
         points(&with("[1e-4, 1e-1]", range), range, &["two finite magnitudes 0 < low <= high"]);
     }
     points(&with("\"m/s^2\"", "\" \""), "\" \"", &["the unit is empty", "or \"1\" where there is none"]);
-    points(&with("title = \"Turn-around of the step axis\"", "title = \"\""), "\"\"", &["the title of the family is empty"]);
+    points(
+        &with("title = \"Turn-around of the step axis\"", "title = \"\""),
+        "\"\"",
+        &["the title of the family is empty"],
+    );
     let no_inputs = with("[\"a2Max\", \"tOut\"]", "[]");
     assert!(report("turnaround.toml", &no_inputs).contains("the list of inputs is empty"));
 }

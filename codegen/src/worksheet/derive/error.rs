@@ -38,7 +38,9 @@ pub enum DeriveError {
     Write(#[from] WriteError),
     /// The worksheet lacks a function.
     #[error("{} defines no function `{worksheet}`, which the kernel `{kernel}` needs", path.display())]
-    #[diagnostic(help("add define({worksheet}({inputs}), ..)$ to the worksheet, or correct `worksheet` in the contract"))]
+    #[diagnostic(help(
+        "add define({worksheet}({inputs}), ..)$ to the worksheet, or correct `worksheet` in the contract"
+    ))]
     Undefined {
         /// The function.
         worksheet: String,

@@ -48,7 +48,8 @@ impl Reply {
     /// What was said under this word of a function, and what was printed before.
     fn about(&self, word: &str, worksheet: &str) -> Option<(&str, &[String])> {
         self.messages.iter().find_map(|message| {
-            let text = message.text.strip_prefix(word)?.strip_prefix('|')?.strip_prefix(worksheet)?.strip_prefix('|')?;
+            let text =
+                message.text.strip_prefix(word)?.strip_prefix('|')?.strip_prefix(worksheet)?.strip_prefix('|')?;
             Some((text, message.noise.as_slice()))
         })
     }

@@ -77,7 +77,8 @@ fn a_family_is_derived_written_and_confirmed() {
     assert_eq!(lines[2], "d(x,y):=sqrt(y)-sqrt(x)$");
     assert_eq!(lines[3], "r(x,y):=positive_root(z^2+y*z-x-1,z)$");
     assert_eq!(derived.values.len(), 2 * options.points);
-    let equal: Vec<_> = derived.values.iter().filter(|v| v.worksheet == "d" && v.inputs[0].1 == v.inputs[1].1).collect();
+    let equal: Vec<_> =
+        derived.values.iter().filter(|v| v.worksheet == "d" && v.inputs[0].1 == v.inputs[1].1).collect();
     assert!(!equal.is_empty() && equal.iter().all(|value| value.value == "0"), "exact zeros");
     derived.write().unwrap();
     assert_eq!(golden::load(&derived.paths.golden).unwrap(), derived.values);
@@ -116,14 +117,20 @@ fn a_golden_value_that_changed_is_named() {
 
 #[test]
 fn questions_are_shown_with_their_statement() {
-    fails("a: 1$\nb: integrate(1/(t^2+c), t, 0, 1)$\n", &["Maxima asks: Is c positive or negative?", "family.mac:2:1", "assume"]);
+    fails(
+        "a: 1$\nb: integrate(1/(t^2+c), t, 0, 1)$\n",
+        &["Maxima asks: Is c positive or negative?", "family.mac:2:1", "assume"],
+    );
     fails("b: read(\"how much?\")$", &["Maxima asks: how much?"]);
     fails("d(x,y) := integrate(1/(t^2+c), t, 0, 1)$", &["Maxima asks: Is c positive", "assume"]);
 }
 
 #[test]
 fn statements_that_fail_are_pointed_at() {
-    fails("kill(all)$ x: 1$\n/* error */ error(\"no\", x, \"way\")$ y: 2$", &["Maxima stops: no 1 way", ",-[FOLDER/family.mac:2:13]"]);
+    fails(
+        "kill(all)$ x: 1$\n/* error */ error(\"no\", x, \"way\")$ y: 2$",
+        &["Maxima stops: no 1 way", ",-[FOLDER/family.mac:2:13]"],
+    );
     fails("x: 1$\n y: 1/0$", &["expt: undefined: 0 to a negative exponent", "family.mac:2:2"]);
     fails("x: 1$\n\ny: (2+)$ z: 1$", &["incorrect syntax", "family.mac:3:1"]);
     fails("x: 1$\ny: (2+", &["does not end", "family.mac:2:1"]);
@@ -135,7 +142,10 @@ fn loops_are_stopped() {
     let start = std::time::Instant::now();
     let report = failure("x: 1$\nwhile true do x: x$ y: 1$", Duration::from_secs(2));
     assert!(report.contains("did not finish in 2 s") && report.contains("family.mac:2:1"), "{report}");
-    fails("while true do print(\"again and again and again and again and again and again and again\")$", &["without end"]);
+    fails(
+        "while true do print(\"again and again and again and again and again and again and again\")$",
+        &["without end"],
+    );
     assert!(start.elapsed() < Duration::from_secs(60));
 }
 
@@ -149,7 +159,10 @@ fn functions_that_do_not_fit_are_named() {
     fails("d(x,y) := [x,y]$ r(x,y) := x$", &["`d` is not a closed form"]);
     fails("d(x,y) := sqrt(-1-x)$ r(x,y) := x$", &["the kernel `difference` at x=", "the value is not real"]);
     fails("d(x,y) := 1/(x-x*y/y+0*y)$ r(x,y) := x$", &["cannot be applied", "0 to a negative exponent"]);
-    fails("d(x,y) := 1/(sqrt(x)*sqrt(y)-sqrt(x*y))$ r(x,y) := x$", &["has values at", "instead of 24", "exclude by `domain`"]);
+    fails(
+        "d(x,y) := 1/(sqrt(x)*sqrt(y)-sqrt(x*y))$ r(x,y) := x$",
+        &["has values at", "instead of 24", "exclude by `domain`"],
+    );
 }
 
 #[test]

@@ -121,10 +121,8 @@ impl ConditionError {
 impl Condition {
     /// Reads a condition on inputs with these Maxima names.
     pub fn parse(text: &str, variables: &[String]) -> Result<Self, ConditionError> {
-        let expression = parse_expression(text).map_err(|error| ConditionError::Syntax {
-            message: error.to_string(),
-            span: Some(error.span()),
-        })?;
+        let expression = parse_expression(text)
+            .map_err(|error| ConditionError::Syntax { message: error.to_string(), span: Some(error.span()) })?;
         Self::from_expression(&expression, variables)
     }
 
@@ -220,10 +218,8 @@ fn rational(expression: &Expr, variables: &[String]) -> Result<Exact, ConditionE
         ExprKind::Integer(_) | ExprKind::Float(_) => {
             closedform_maxima::exact::rational(expression).map(Exact::Number).map_err(|_| not_rational())
         }
-        ExprKind::Symbol(name) => variable(name, variables).ok_or_else(|| ConditionError::UnknownVariable {
-            name: name.clone(),
-            span: expression.span.clone(),
-        }),
+        ExprKind::Symbol(name) => variable(name, variables)
+            .ok_or_else(|| ConditionError::UnknownVariable { name: name.clone(), span: expression.span.clone() }),
         ExprKind::Unary { operator: UnaryOperator::Plus, operand } => rational(operand, variables),
         ExprKind::Unary { operator: UnaryOperator::Minus, operand } => Ok(rational(operand, variables)?.negated()),
         ExprKind::Binary { operator, left, right } => {

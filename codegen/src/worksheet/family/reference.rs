@@ -155,7 +155,9 @@ impl<'a> Body<'a> {
         match &expression.kind {
             ExprKind::Integer(_) | ExprKind::Float(_) | ExprKind::BigFloat(_) => (),
             ExprKind::Symbol(name) => self.variable(name, expression),
-            ExprKind::Unary { operator: UnaryOperator::Plus | UnaryOperator::Minus, operand } => self.expression(operand),
+            ExprKind::Unary { operator: UnaryOperator::Plus | UnaryOperator::Minus, operand } => {
+                self.expression(operand)
+            }
             ExprKind::Binary { operator, left, right } if is_arithmetic(*operator) => {
                 self.expression(left);
                 self.expression(right);

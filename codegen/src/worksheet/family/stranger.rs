@@ -206,9 +206,11 @@ fn input(parameter: &str, name: String) -> Input {
 
 /// A Rust name for a Maxima name: the snake_case one, or one made of it if Rust or `taken` has that already.
 fn unused_name(maxima: &str, taken: &BTreeSet<String>) -> String {
-    let ascii: String = contract::snake_case(maxima).chars().filter(|c| c.is_ascii_alphanumeric() || *c == '_').collect();
+    let ascii: String =
+        contract::snake_case(maxima).chars().filter(|c| c.is_ascii_alphanumeric() || *c == '_').collect();
     let letters = ascii.trim_matches('_');
-    let plain = if letters.starts_with(|c: char| c.is_ascii_lowercase()) { letters.to_owned() } else { format!("x{letters}") };
+    let plain =
+        if letters.starts_with(|c: char| c.is_ascii_lowercase()) { letters.to_owned() } else { format!("x{letters}") };
     let free = |name: &String| contract::rust_name(name).is_ok() && !taken.contains(name);
     let others = std::iter::once(format!("{plain}_value")).chain((2_u64..).map(|number| format!("{plain}_{number}")));
     std::iter::once(plain.clone()).chain(others).find(free).unwrap_or(plain)

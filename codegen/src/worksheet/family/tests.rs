@@ -82,8 +82,14 @@ fn missing_files_say_what_makes_them() {
 #[test]
 fn references_that_do_not_fit_are_pointed_at() {
     has(&with_reference("v(x,tOut):=x$"), &["no reference expression `r` for the kernel `root`", "closedform derive"]);
-    has(&with_reference("v(x,tOut):=x$r(x):=x$w(x):=x$"), &["no kernel has a result `w`", "does not name this function"]);
-    has(&with_reference("v(tOut,x):=x$r(x):=x$"), &["parameters of `v` are (tOut,x)", "inputs of its kernel are (x,tOut)"]);
+    has(
+        &with_reference("v(x,tOut):=x$r(x):=x$w(x):=x$"),
+        &["no kernel has a result `w`", "does not name this function"],
+    );
+    has(
+        &with_reference("v(tOut,x):=x$r(x):=x$"),
+        &["parameters of `v` are (tOut,x)", "inputs of its kernel are (x,tOut)"],
+    );
     has(&with_reference("v(x,tOut):=x$r(x):=x+tIn$"), &["`r` contains `tIn`", "not a parameter", "^"]);
     has(&with_reference("v(x,tOut):=x$r(x):=1+sin(x)$"), &["`r` calls `sin`", "sqrt(x), abs(x)"]);
     has(&with_reference("v(x,tOut):=x$r(x):=[x]$"), &["`r` is not a closed form"]);
@@ -125,7 +131,10 @@ fn a_contract_beside_a_stranger_is_used() {
 
 #[test]
 fn strangers_that_need_maxima_are_told_so() {
-    has(&stranger("f(x):=x$ s: solve(x=1,x)$").unwrap_err(), &["defines no function", "closedform derive", "only Maxima"]);
+    has(
+        &stranger("f(x):=x$ s: solve(x=1,x)$").unwrap_err(),
+        &["defines no function", "closedform derive", "only Maxima"],
+    );
     has(&stranger("").unwrap_err(), &["the worksheet defines no function", "f(x,y):=sqrt"]);
     has(&stranger("f(x):=").unwrap_err(), &["expected"]);
 }

@@ -14,7 +14,7 @@ use super::error::LostMaxima;
 use super::{Marks, Maxima};
 
 /// More than any derivation prints.
-const OUTPUT_LIMIT: usize = 16 << 20;
+const OUTPUT_LIMIT: usize = 8 << 20;
 
 /// How a run ended.
 pub(super) enum Ending {

@@ -30,24 +30,22 @@ pub enum ProcessError {
         /// The worksheet.
         #[source_code]
         text: NamedSource<String>,
-        /// The statement.
+        /// The statement; none if a function of the worksheet was being applied.
         #[label("no `$` or `;` follows")]
         place: SourceSpan,
     },
     /// Maxima asked a question.
     #[error("Maxima asks: {question}")]
-    #[diagnostic(help("answer it before this statement, e.g. with assume(..)"))]
+    #[diagnostic(help("answer it in the worksheet beforehand, e.g. with assume(..)"))]
     Asked {
         /// What Maxima wants to know.
         question: String,
         /// The worksheet.
         #[source_code]
         text: NamedSource<String>,
-        /// The statement.
-        #[label("{} asks", who)]
+        /// The statement; none if a function of the worksheet was being applied.
+        #[label("this statement asks")]
         place: Option<SourceSpan>,
-        /// Whether the statement asks, or what the worksheet defines asks when it is applied.
-        who: &'static str,
     },
     /// A statement failed.
     #[error("Maxima stops: {message}")]
@@ -58,7 +56,7 @@ pub enum ProcessError {
         /// The worksheet.
         #[source_code]
         text: NamedSource<String>,
-        /// The statement.
+        /// The statement; none if a function of the worksheet was being applied.
         #[label("this statement fails")]
         place: Option<SourceSpan>,
     },
@@ -71,7 +69,7 @@ pub enum ProcessError {
         /// The worksheet.
         #[source_code]
         text: NamedSource<String>,
-        /// The statement.
+        /// The statement; none if a function of the worksheet was being applied.
         #[label("still running")]
         place: Option<SourceSpan>,
     },
@@ -82,7 +80,7 @@ pub enum ProcessError {
         /// The worksheet.
         #[source_code]
         text: NamedSource<String>,
-        /// The statement.
+        /// The statement; none if a function of the worksheet was being applied.
         #[label("still printing")]
         place: Option<SourceSpan>,
     },
@@ -93,7 +91,7 @@ pub enum ProcessError {
         /// The worksheet.
         #[source_code]
         text: NamedSource<String>,
-        /// The statement.
+        /// The statement; none if a function of the worksheet was being applied.
         #[label("Maxima ends here")]
         place: Option<SourceSpan>,
     },

@@ -137,10 +137,7 @@ impl Failure {
         let text = source::named(path, worksheet);
         let place = self.statement.and_then(|statement| places.get(statement)).map(|place| place.clone().into());
         match self.kind {
-            Kind::Asked(question) => {
-                let who = if place.is_some() { "this statement" } else { "a function of this worksheet" };
-                ProcessError::Asked { question, text, place, who }
-            }
+            Kind::Asked(question) => ProcessError::Asked { question, text, place },
             Kind::Failed(message) => ProcessError::Failed { message, text, place },
             Kind::OutOfTime => ProcessError::OutOfTime { limit, text, place },
             Kind::TooMuchOutput => ProcessError::TooMuchOutput { text, place },

@@ -70,7 +70,8 @@ impl<'a> Inliner<'a> {
             });
         }
         let body = self.body(definition)?;
-        let arguments: Vec<Expr> = arguments.iter().map(|argument| self.expression(argument)).collect::<Result<_, _>>()?;
+        let arguments: Vec<Expr> =
+            arguments.iter().map(|argument| self.expression(argument)).collect::<Result<_, _>>()?;
         let values: BTreeMap<&str, &Expr> = definition.parameters.iter().map(String::as_str).zip(&arguments).collect();
         self.size = self.size.saturating_add(size(&body, &values));
         if self.size > SIZE_LIMIT {
@@ -96,7 +97,12 @@ fn put(expression: &Expr, values: &BTreeMap<&str, &Expr>) -> Expr {
 }
 
 /// The variable of a root is its own: no value is put for it, and it is renamed if a value contains its name.
-fn put_into_root(root: &Expr, polynomial: &Expr, (name, variable): (&str, &Expr), values: &BTreeMap<&str, &Expr>) -> Expr {
+fn put_into_root(
+    root: &Expr,
+    polynomial: &Expr,
+    (name, variable): (&str, &Expr),
+    values: &BTreeMap<&str, &Expr>,
+) -> Expr {
     let mut own = name.to_owned();
     while values.values().any(|value| names(value, &own)) || (own != name && names(polynomial, &own)) {
         own.push('_');

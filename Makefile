@@ -1,0 +1,23 @@
+# Two commands: `make run` makes the kernels, `make test` proves and judges everything. Both install what they need.
+
+CARGO ?= cargo
+
+.PHONY: run test tools
+
+run: tools
+	$(CARGO) run --quiet --package closedform-codegen -- generate
+
+test: tools
+	$(CARGO) test --workspace
+
+# GMP is built from source and needs m4; the judges run the worksheets in Maxima.
+tools:
+	@missing=; \
+	command -v m4 >/dev/null || missing="$$missing m4"; \
+	command -v maxima >/dev/null || missing="$$missing maxima"; \
+	test -z "$$missing" && exit 0; \
+	if test "$$(id -u)" = 0; then as=; \
+	elif command -v sudo >/dev/null && sudo -n true 2>/dev/null; then as=sudo; \
+	else echo "missing:$$missing. Run: sudo apt-get install$$missing" >&2; exit 1; fi; \
+	echo "installing$$missing"; \
+	$$as apt-get update -qq && DEBIAN_FRONTEND=noninteractive $$as apt-get install -y -qq --no-install-recommends $$missing >/dev/null
