@@ -37,7 +37,8 @@ pub struct Worst {
 pub struct Measurement {
     /// The points that the promise of the bound covers, all of which were measured.
     pub covered: usize,
-    /// The points at which numbers over- or underflow or a `compensated!` slice cancels beyond what the bound promises.
+    /// The points at which numbers over- or underflow, a `compensated!` slice cancels beyond what the bound promises, or the
+    /// formula has no value at all.
     pub beyond: usize,
     /// The worst point for each result, in order; `None` where no point is covered.
     pub worst: Vec<Option<Worst>>,
@@ -87,16 +88,20 @@ pub fn measure(
 }
 
 impl Measurement {
-    fn include(&mut self, kernel: &Kernel, reference: &Reference, point: &[f64]) -> Result<(), ValueError> {
-        let expected = reference.values(point, REFERENCE_BITS)?;
-        let got = results(kernel, point).unwrap_or_else(|_| vec![f64::NAN; expected.len()]);
+    /// Takes a point in; false where neither the reference nor the kernel has a value.
+    fn include(&mut self, kernel: &Kernel, reference: &Reference, point: &[f64]) -> Result<bool, ValueError> {
+        let got = results(kernel, point).unwrap_or_else(|_| vec![f64::NAN; self.worst.len()]);
+        let expected = match reference.values(point, REFERENCE_BITS) {
+            Err(_) if got.iter().all(|value| !value.is_finite()) => return Ok(false),
+            expected => expected?,
+        };
         for ((worst, got), expected) in self.worst.iter_mut().zip(got).zip(expected) {
             let ulp = ulp_error(got, &expected);
             if worst.as_ref().is_none_or(|worst| ulp > worst.ulp) {
                 *worst = Some(Worst { ulp, inputs: point.to_vec(), got, expected });
             }
         }
-        Ok(())
+        Ok(true)
     }
 }
 

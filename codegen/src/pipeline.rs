@@ -5,6 +5,7 @@ use crate::program::cost;
 use crate::rust::{KernelText, ModuleText, print_module};
 use crate::worksheet::contract::KernelContract;
 use crate::worksheet::family::Family;
+use crate::worksheet::sample::{EmptyDomain, sample};
 use closedform_maxima::Definition;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -43,6 +44,14 @@ pub enum PipelineError {
         kernel: String,
         /// Why.
         cause: KernelError,
+    },
+    /// A domain without points.
+    #[error("kernel `{kernel}` has an empty domain: {cause}\ncorrect the conditions, or the `typical` magnitudes of its inputs")]
+    Empty {
+        /// `family::name`
+        kernel: String,
+        /// Why.
+        cause: EmptyDomain,
     },
     /// A generated file does not read back.
     #[error("the generated text of `{family}` does not read back: {cause}")]
@@ -94,6 +103,9 @@ fn make_kernels(family: &Family, progress: &mut impl FnMut(&str)) -> Result<Vec<
         .map(|kernel| {
             let name = format!("{}::{}", family.name, kernel.name);
             progress(&name);
+            let inputs = family.contract.inputs_of(kernel);
+            sample(&kernel.domain, &inputs, 1, 0)
+                .map_err(|cause| PipelineError::Empty { kernel: name.clone(), cause })?;
             let references = references_of(family, kernel);
             make(&family.contract, kernel, &references).map_err(|cause| PipelineError::Kernel { kernel: name, cause })
         })

@@ -1,6 +1,5 @@
 //! Golden values against the kernel's own program run in MPFR: what differs here is algebra, not rounding.
 
-use closedform::Mpfr;
 use rug::Float;
 use rug::ops::Pow;
 
@@ -39,16 +38,9 @@ fn difference(judge: &Judge, result: usize, golden: &GoldenValue) -> Option<Stri
         return Some(format!("outside the domain, `{condition}`"));
     }
     let expected = Float::with_val(PRECISION, Float::parse(&golden.value).ok()?);
-    let actual = program(judge, &inputs).swap_remove(result);
+    let actual = judge.program(&inputs, PRECISION).swap_remove(result);
     // One unit of the last of so many digits, of a number that begins with a one.
     let unit = Float::with_val(PRECISION, 10).pow(1 - DIGITS.cast_signed());
     let equal = Float::with_val(PRECISION, &actual - &expected).abs() <= unit * expected.abs();
     (!equal).then(|| format!("the program gives {actual:.40}"))
-}
-
-fn program(judge: &Judge, inputs: &[f64]) -> Vec<Float> {
-    let inputs: Vec<Mpfr> = inputs.iter().map(|value| Mpfr::new(PRECISION, *value)).collect();
-    let mut results = vec![Mpfr::new(PRECISION, 0.0); judge.kernel.info.results.len()];
-    judge.kernel.mpfr(&inputs, &mut results).expect("as many inputs and results as the kernel has");
-    results.into_iter().map(|result| result.0).collect()
 }

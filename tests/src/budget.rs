@@ -20,7 +20,7 @@ pub struct Budget {
     pub laws: usize,
 }
 
-const QUICK: Budget = Budget { points: 64, edges: 1_000, climbs: 4, steps: 64, laws: 64 };
+const QUICK: Budget = Budget { points: 160, edges: 1_000, climbs: 6, steps: 100, laws: 100 };
 const FULL: Budget = Budget { points: 2_000, edges: 20_000, climbs: 24, steps: 500, laws: 1_000 };
 const EXTENSIVE: Budget = Budget { points: 100_000, edges: 1_000_000, climbs: 400, steps: 4_000, laws: 20_000 };
 

@@ -1,6 +1,6 @@
 //! The one check: a kernel against its oracle, in ulp against its bound.
 
-use closedform::Kernel;
+use closedform::{Kernel, Mpfr};
 use rug::Float;
 
 use crate::failure::Failure;
@@ -8,13 +8,16 @@ use crate::inputs::{Points, Space};
 use crate::reference::{Oracle, References};
 use crate::ulp::{self, F64};
 
-/// Bounds hold as long as cancellation costs fewer bits than this.
-const CONDITION_BITS: i32 = 40;
+/// Bits of a `compensated!` slice.
+const SLICE_BITS: u32 = 106;
 
-/// The relative change of an input that conditioning is measured with: 2^-PERTURBATION_BITS.
-const PERTURBATION_BITS: i32 = 60;
+/// Bounds hold as long as cancellation costs a slice fewer bits than this.
+const CANCELLED_BITS: u32 = 40;
 
-/// The largest share of points that may be too ill-conditioned to judge.
+/// Bits in which cancellation is measured: no slice comes near losing that many.
+const AMPLE_BITS: u32 = 2_048;
+
+/// The largest share of points that may be beyond what bounds promise.
 const SKIPPED_SHARE: f64 = 0.05;
 
 /// A kernel with all that it takes to judge it.
@@ -33,8 +36,8 @@ pub struct Judge {
 pub enum Verdict {
     /// Every result is within its bound: the errors in ulp.
     Kept(Vec<f64>),
-    /// An error beyond its bound where none is promised: the result moves by more than 2^40 times what an input does.
-    IllConditioned,
+    /// An error beyond its bound where none is promised: the program cancels by more than 2^40.
+    Cancelled,
     /// An error beyond its bound.
     Broken(Box<Failure>),
 }
@@ -53,7 +56,7 @@ pub struct Worst {
 pub struct Report {
     /// How many points were judged.
     pub points: usize,
-    /// How many more were too ill-conditioned to judge.
+    /// How many more were beyond what bounds promise.
     pub skipped: usize,
     /// The worst error of each result.
     pub worst: Vec<Worst>,
@@ -100,8 +103,8 @@ impl Judge {
             let ulp = ulp::distance(actual, &exact, F64);
             if ulp <= self.bound(result) {
                 errors.push(ulp);
-            } else if actual.is_finite() && self.is_ill_conditioned(result, inputs, &exact) {
-                return Verdict::IllConditioned;
+            } else if actual.is_finite() && self.cancels(result, inputs) {
+                return Verdict::Cancelled;
             } else {
                 return Verdict::Broken(Box::new(Failure::new(self, result, inputs, actual, &exact, origin)));
             }
@@ -109,17 +112,21 @@ impl Judge {
         Verdict::Kept(errors)
     }
 
-    /// Whether some input moves the result by more than 2^40 times its own relative change.
-    pub fn is_ill_conditioned(&self, result: usize, inputs: &[f64], exact: &Float) -> bool {
-        let precision = exact.prec();
-        let limit = Float::with_val(precision, exact.abs_ref()) >> (PERTURBATION_BITS - CONDITION_BITS);
-        (0..inputs.len()).any(|input| {
-            let mut moved: Vec<Float> = inputs.iter().map(|value| Float::with_val(precision, value)).collect();
-            let change = Float::with_val(precision, inputs[input]) >> PERTURBATION_BITS;
-            moved[input] += change;
-            // Where a root becomes imaginary the result has moved beyond every limit.
-            self.oracle.value_at(result, &moved, precision).map_or(true, |value| (value - exact).abs() > limit)
-        })
+    /// The results of the kernel's program in MPFR.
+    pub fn program(&self, inputs: &[f64], precision: u32) -> Vec<Float> {
+        let inputs: Vec<Mpfr> = inputs.iter().map(|value| Mpfr::new(precision, *value)).collect();
+        let mut results = vec![Mpfr::new(precision, 0.0); self.kernel.info.results.len()];
+        self.kernel.mpfr(&inputs, &mut results).expect("as many inputs and results as the kernel has");
+        results.into_iter().map(|result| result.0).collect()
+    }
+
+    /// Whether the program of a result, run in the bits of a slice, loses more of them than bounds allow for.
+    ///
+    /// It is compared with itself in ample bits, not with the oracle: a wrong program finds no excuse here.
+    pub fn cancels(&self, result: usize, inputs: &[f64]) -> bool {
+        let ample = self.program(inputs, AMPLE_BITS).swap_remove(result);
+        let lost = (self.program(inputs, SLICE_BITS).swap_remove(result) - &ample).abs();
+        lost > ample.abs() >> (SLICE_BITS - CANCELLED_BITS)
     }
 }
 
@@ -131,13 +138,13 @@ impl Judge {
 ///
 /// # Panics
 ///
-/// More than a small share of the points is too ill-conditioned to judge, or a reference has no value inside the domain.
+/// More than a small share of the points is beyond what bounds promise, or a reference has no value inside the domain.
 pub fn check(judge: &Judge, points: &Points) -> Result<Report, Box<Failure>> {
     let mut report = Report { worst: vec![Worst::default(); judge.kernel.info.results.len()], ..Report::default() };
     for inputs in &points.list {
         match judge.verdict(inputs, &points.origin) {
             Verdict::Kept(errors) => report.keep(&errors, inputs),
-            Verdict::IllConditioned => report.skipped += 1,
+            Verdict::Cancelled => report.skipped += 1,
             Verdict::Broken(failure) => return Err(failure),
         }
     }
@@ -180,5 +187,5 @@ impl Report {
 pub fn demand_honesty(judged: usize, skipped: usize, what: &str) {
     let all = judged + skipped;
     let allowed = SKIPPED_SHARE * all as f64;
-    assert!(skipped as f64 <= allowed, "{what}: {skipped} of {all} points are too ill-conditioned to judge");
+    assert!(skipped as f64 <= allowed, "{what}: {skipped} of {all} points are beyond what bounds promise");
 }

@@ -47,7 +47,7 @@ fn visit(judge: &Judge, inputs: Vec<f64>, origin: &str) -> Result<Option<Summit>
             let score = shares.fold(0.0, f64::max);
             Ok(Some(Summit { errors, inputs, score }))
         }
-        Verdict::IllConditioned => Ok(None),
+        Verdict::Cancelled => Ok(None),
         Verdict::Broken(failure) => Err(failure),
     }
 }

@@ -43,7 +43,7 @@ impl Law {
     ///
     /// # Panics
     ///
-    /// The law names what the kernel does not have, or too many points are too ill-conditioned to judge.
+    /// The law names what the kernel does not have, or too many points are beyond what bounds promise.
     pub fn check(&self, judge: &Judge, names: &[&str], points: &Points) -> Result<(), String> {
         assert_eq!(names.len(), judge.kernel.info.results.len(), "{}: names of its results", judge.kernel.info.name);
         let mut skipped = 0;
@@ -61,7 +61,7 @@ impl Law {
             };
             match broken {
                 None => {}
-                Some(_) if ill_conditioned(judge, inputs) => skipped += 1,
+                Some(_) if cancels(judge, inputs) => skipped += 1,
                 Some(what) => return Err(self.told(judge, inputs, &results, &points.origin, &what)),
             }
         }
@@ -118,9 +118,8 @@ fn exceeds(judge: &Judge, inputs: &[f64], results: &[f64], difference: impl Fn(&
     (residual.clone().abs() > allowed).then(|| format!("is off by {residual:.6e}, allowed {allowed:.6e}"))
 }
 
-fn ill_conditioned(judge: &Judge, inputs: &[f64]) -> bool {
-    (0..judge.kernel.info.results.len())
-        .any(|result| judge.is_ill_conditioned(result, inputs, &judge.exact(result, inputs)))
+fn cancels(judge: &Judge, inputs: &[f64]) -> bool {
+    (0..judge.kernel.info.results.len()).any(|result| judge.cancels(result, inputs))
 }
 
 /// A kernel of one result and the Maxima name that this result goes by.
@@ -144,7 +143,7 @@ pub fn check_inverse(first: Named, second: Named, constants: &[(&str, f64)], poi
         if !second.0.space.admits(&between.inputs) {
             skipped += 1;
         } else if let Some(what) = between.broken(first.0, second.0, inputs) {
-            if !ill_conditioned(first.0, inputs) && !ill_conditioned(second.0, &between.inputs) {
+            if !cancels(first.0, inputs) && !cancels(second.0, &between.inputs) {
                 let (one, two) = (first.0.kernel.info, second.0.kernel.info);
                 return Err(format!("{} of {}: {what}\n{}", two.name, one.name, list(one, inputs)));
             }

@@ -1,4 +1,4 @@
-//! A small generator of random numbers: the same numbers for the same seed, on every machine.
+//! A small generator of random numbers: the same numbers for the same seed, on every platform.
 
 use std::env;
 

@@ -110,7 +110,7 @@ pub fn check_single(judge: &Judge, points: &Points) -> Result<usize, String> {
             let error = ulp::distance(f64::from(actual), &exact, F32);
             // Half a unit for the rounding, and what the double was off: 29 bits more.
             let allowed = 0.5 + judge.bound(result) * 0.5_f64.powi(29);
-            if error > allowed && !judge.is_ill_conditioned(result, &inputs, &exact) {
+            if error > allowed && !judge.cancels(result, &inputs) {
                 let what = format!("{actual:?}, expected {exact:.20}: {error} ulp of single precision");
                 return Err(told(judge, &inputs, &points.origin, &what));
             }

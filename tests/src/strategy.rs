@@ -114,7 +114,7 @@ pub fn shrink(judge: &Judge, maker: Maker, count: u32) -> Result<(), String> {
     let origin = format!("proptest of {maker:?}, seed {seed}");
     let fails = |point: &[f64]| match judge.verdict(point, &origin) {
         Verdict::Broken(failure) => Err(failure),
-        Verdict::Kept(_) | Verdict::IllConditioned => Ok(()),
+        Verdict::Kept(_) | Verdict::Cancelled => Ok(()),
     };
     let outcome = TestRunner::new_with_rng(config, rng).run(&PointStrategy::new(&judge.space, maker), |point| {
         fails(&point).map_err(|failure| TestCaseError::fail(failure.to_string()))

@@ -1,5 +1,6 @@
 //! Families: a contract and the reference expressions that fulfil it.
 
+mod natural_domain;
 mod reference;
 mod stranger;
 

@@ -105,23 +105,22 @@ fn climbs_end_higher_than_they_start() {
 }
 
 /// So many points where the plain sum has no error, and one where it has no digit left.
-fn with_one_ill_conditioned(easy: usize) -> Points {
+fn with_one_cancelling(easy: usize) -> Points {
     let mut list = vec![vec![1.0, 2.0, 1.0]; easy];
     list.push(vec![-1.1, 0.7, 2.0 * 1.1 / 0.7]);
     Points { origin: "by hand".to_owned(), list }
 }
 
 #[test]
-fn ill_conditioned_points_are_skipped_and_counted() {
-    let report =
-        check(&judge(&mutants::plain_sum::KERNEL), &with_one_ill_conditioned(19)).expect("easy points are kept");
+fn cancelling_points_are_skipped_and_counted() {
+    let report = check(&judge(&mutants::plain_sum::KERNEL), &with_one_cancelling(19)).expect("easy points are kept");
     assert_eq!((report.points, report.skipped), (19, 1));
 }
 
 #[test]
-#[should_panic(expected = "1 of 19 points are too ill-conditioned to judge")]
-fn too_many_ill_conditioned_points_are_no_verdict() {
-    let _ = check(&judge(&mutants::plain_sum::KERNEL), &with_one_ill_conditioned(18));
+#[should_panic(expected = "1 of 19 points are beyond what bounds promise")]
+fn too_many_cancelling_points_are_no_verdict() {
+    let _ = check(&judge(&mutants::plain_sum::KERNEL), &with_one_cancelling(18));
 }
 
 #[test]

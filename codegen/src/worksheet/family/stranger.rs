@@ -10,8 +10,8 @@ use miette::{Diagnostic, NamedSource, SourceSpan};
 use thiserror::Error;
 
 use super::super::contract::{self, Contract, FamilyInfo, Input, KernelContract, ResultContract, TYPICAL};
-use super::super::domain::Domain;
 use super::super::source;
+use super::natural_domain::natural_domain;
 use super::reference::{self, ReferenceMistake};
 use super::{Family, FamilyError, Paths};
 
@@ -192,7 +192,7 @@ fn kernel(definition: &Definition, name: String) -> KernelContract {
         doc: format!("`{}` of the worksheet.", definition.name),
         source: String::new(),
         inputs: definition.parameters.clone(),
-        domain: Domain::new(definition.parameters.clone(), Vec::new()),
+        domain: natural_domain(&definition.body, &definition.parameters),
         branch: None,
         edges: None,
         returns: None,

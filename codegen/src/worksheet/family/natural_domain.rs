@@ -1,0 +1,119 @@
+//! Natural domains: what a formula needs by itself, where nobody has said more.
+
+use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, print};
+
+use super::super::domain::{Condition, Domain};
+
+/// The conditions under which a formula has a real value: radicands not negative, denominators not zero.
+///
+/// A condition whose sides are no rational functions is left out: it cannot be decided exactly.
+pub(super) fn natural_domain(body: &Expr, parameters: &[String]) -> Domain {
+    let mut texts = Vec::new();
+    collect(body, &mut texts);
+    let conditions = texts.into_iter().filter_map(|text| {
+        let condition = Condition::parse(&text, parameters).ok()?;
+        Some((text, condition))
+    });
+    Domain::new(parameters.to_vec(), conditions.collect())
+}
+
+fn collect(expr: &Expr, texts: &mut Vec<String>) {
+    match &expr.kind {
+        ExprKind::Unary { operand, .. } => collect(operand, texts),
+        ExprKind::Binary { operator, left, right } => {
+            collect(left, texts);
+            collect(right, texts);
+            match operator {
+                BinaryOperator::Divide => not_zero(right, texts),
+                BinaryOperator::Power => power(left, right, texts),
+                _ => {}
+            }
+        }
+        ExprKind::Call { arguments, .. } => match expr.as_call() {
+            Some(("sqrt", [radicand])) => {
+                collect(radicand, texts);
+                condition(radicand, ">=", texts);
+            }
+            // the unknown of a polynomial root is no input
+            Some(("positive_root", _)) => {}
+            _ => arguments.iter().for_each(|argument| collect(argument, texts)),
+        },
+        _ => {}
+    }
+}
+
+/// `base^exponent`: a half needs a radicand, a minus a denominator.
+fn power(base: &Expr, exponent: &Expr, texts: &mut Vec<String>) {
+    let negative = matches!(&exponent.kind, ExprKind::Unary { operator: UnaryOperator::Minus, .. });
+    let exponent = match &exponent.kind {
+        ExprKind::Unary { operator: UnaryOperator::Minus, operand } => operand,
+        _ => exponent,
+    };
+    let fraction = matches!(&exponent.kind, ExprKind::Binary { operator: BinaryOperator::Divide, .. });
+    match (fraction, negative) {
+        (true, true) => condition(base, ">", texts),
+        (true, false) => condition(base, ">=", texts),
+        (false, true) => not_zero(base, texts),
+        (false, false) => {}
+    }
+}
+
+fn not_zero(expr: &Expr, texts: &mut Vec<String>) {
+    match &expr.kind {
+        ExprKind::Unary { operator: UnaryOperator::Minus, operand } => not_zero(operand, texts),
+        ExprKind::Binary { operator: BinaryOperator::Multiply, left, right } => {
+            not_zero(left, texts);
+            not_zero(right, texts);
+        }
+        ExprKind::Binary { operator: BinaryOperator::Divide | BinaryOperator::Power, left, .. } => not_zero(left, texts),
+        ExprKind::Call { .. } => match expr.as_call() {
+            Some(("sqrt", [radicand])) => condition(radicand, ">", texts),
+            _ => condition(expr, "#", texts),
+        },
+        _ => condition(expr, "#", texts),
+    }
+}
+
+/// `expr operator 0`, unless it says nothing because no input occurs in it.
+fn condition(expr: &Expr, operator: &str, texts: &mut Vec<String>) {
+    let text = format!("{} {operator} 0", print(expr));
+    if has_input(expr) && !texts.contains(&text) {
+        texts.push(text);
+    }
+}
+
+fn has_input(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Symbol(name) => !name.starts_with('%'),
+        ExprKind::Unary { operand, .. } => has_input(operand),
+        ExprKind::Binary { left, right, .. } => has_input(left) || has_input(right),
+        ExprKind::Call { arguments, .. } => arguments.iter().any(has_input),
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use closedform_maxima::parse_expression;
+
+    fn texts(formula: &str, parameters: &[&str]) -> Vec<String> {
+        let parameters: Vec<String> = parameters.iter().map(|name| (*name).to_owned()).collect();
+        let body = parse_expression(formula).unwrap();
+        natural_domain(&body, &parameters).texts().map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn roots_and_denominators_give_conditions() {
+        assert_eq!(texts("sqrt(x+1)-sqrt(x)", &["x"]), ["x+1 >= 0", "x >= 0"]);
+        assert_eq!(texts("1/(1/f+1/g)", &["f", "g"]), ["f # 0", "g # 0", "1/f+1/g # 0"]);
+        assert_eq!(texts("x^(-3)*y^(1/2)/sqrt(z)", &["x", "y", "z"]), ["x # 0", "y >= 0", "z >= 0", "z > 0"]);
+        assert_eq!(texts("a/(2*b)", &["a", "b"]), ["b # 0"]);
+        assert_eq!(texts("a/%pi+a^2", &["a"]), [""; 0]);
+    }
+
+    #[test]
+    fn what_cannot_be_decided_exactly_is_left_out() {
+        assert_eq!(texts("sqrt(1-sqrt(x))", &["x"]), ["x >= 0"]);
+    }
+}
