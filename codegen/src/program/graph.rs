@@ -102,7 +102,7 @@ struct Step {
     op: Op,
     sign: Sign,
     error: f64,
-    rule: Option<&'static str>,
+    rules: Vec<&'static str>,
 }
 
 /// The steps of a kernel.
@@ -138,15 +138,18 @@ impl Graph {
         self.steps[node.0].error
     }
 
-    /// The rule that made a node.
+    /// The rules that made a node, in the order of their use.
     #[must_use]
-    pub fn rule(&self, node: Node) -> Option<&'static str> {
-        self.steps[node.0].rule
+    pub fn rules(&self, node: Node) -> &[&'static str] {
+        &self.steps[node.0].rules
     }
 
-    /// Names the rule that made a node, unless another one did before.
+    /// Records that a rule made a node.
     pub fn mark(&mut self, node: Node, rule: &'static str) {
-        self.steps[node.0].rule.get_or_insert(rule);
+        let rules = &mut self.steps[node.0].rules;
+        if !rules.contains(&rule) {
+            rules.push(rule);
+        }
     }
 
     fn push(&mut self, op: Op, sign: Sign, error: f64) -> Node {
@@ -158,7 +161,7 @@ impl Graph {
         }
         let node = Node(self.steps.len());
         self.index.insert(op.clone(), node);
-        self.steps.push(Step { op, sign, error, rule: None });
+        self.steps.push(Step { op, sign, error, rules: Vec::new() });
         node
     }
 

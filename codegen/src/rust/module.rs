@@ -1,7 +1,7 @@
 //! Modules: a family of kernels with their documentation, as one Rust file.
 
 use super::expression::Printer;
-use crate::program::{Condition, Graph, Op, Program};
+use crate::program::{Condition, Graph, Node, Op, Program};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
@@ -238,15 +238,15 @@ fn print_body(text: &mut String, kernel: &KernelText) {
     }
     let printer = Printer::with_steps(&kernel.graph, &inputs, &kernel.program);
     for step in &kernel.program.lets {
-        if let Some(rule) = kernel.graph.rule(step.node) {
-            let _ = writeln!(text, "    // {rule}");
-        }
+        print_rules(text, kernel, step.node);
         let _ = writeln!(text, "    let {} = {};", step.name, printer.definition(step.node, 8));
     }
     match &kernel.returns {
         None => {
             for &output in &kernel.program.outputs {
-                print_rule(text, kernel, output);
+                if kernel.program.name_of(output).is_none() {
+                    print_rules(text, kernel, output);
+                }
                 let _ = writeln!(text, "    {}", printer.value(output, 8));
             }
         }
@@ -265,9 +265,10 @@ fn print_body(text: &mut String, kernel: &KernelText) {
     }
 }
 
-fn print_rule(text: &mut String, kernel: &KernelText, output: crate::program::Node) {
-    let named = kernel.program.name_of(output).is_some();
-    if let (false, Some(rule)) = (named, kernel.graph.rule(output)) {
-        let _ = writeln!(text, "    // {rule}");
+/// The comment above a step: the rules that made it.
+fn print_rules(text: &mut String, kernel: &KernelText, node: Node) {
+    let rules = kernel.graph.rules(node);
+    if !rules.is_empty() {
+        let _ = writeln!(text, "    // {}", rules.join(", "));
     }
 }

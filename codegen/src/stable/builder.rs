@@ -270,11 +270,10 @@ impl Builder {
     /// # Errors
     /// When the tower has no room left.
     pub fn wide(&mut self, polynomial: &Polynomial) -> Result<(BigRational, Wide), TowerError> {
-        let grouped = rules::differences_first::group(self, polynomial)?;
-        let content = grouped.primitive().0.abs();
-        let grouped = grouped.scaled(&content.recip());
+        let content = polynomial.primitive().0.abs();
+        let scaled = polynomial.scaled(&content.recip());
         let inputs = self.tower.inputs();
-        let nested = Nester::new(&self.tower.facts, inputs, Mode::Wide).nest(&grouped);
+        let nested = Nester::new(&self.tower.facts, inputs, Mode::Wide).nest(&scaled);
         let nested = nested.unwrap_or(Nested::Constant(BigRational::zero()));
         Ok((content, self.wide_steps(&nested)?))
     }

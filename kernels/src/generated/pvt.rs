@@ -202,7 +202,7 @@ pub struct BoundaryAccelerations {
     maxima = "p_a0_1(x0,v0,x1,v1,t1):=(6*x1-6*x0-2*t1*v1-4*t1*v0)/t1^2\np_a1_1(x0,v0,x1,v1,t1):=-(6*x1-6*x0-4*t1*v1-2*t1*v0)/t1^2",
     latex = "p_{a,0,1} = \\frac{6\\,x_{1}-6\\,x_{0}-2\\,t_{1}\\,v_{1}-4\\,t_{1}\\,v_{0}}{t_{1}^{2}} \\\\ p_{a,1,1} = \\frac{-\\left(6\\,x_{1}-6\\,x_{0}-4\\,t_{1}\\,v_{1}-2\\,t_{1}\\,v_{0}\\right)}{t_{1}^{2}}",
     source = "1.2 %o16, %o17",
-    rules("compensated", "factored"),
+    rules("compensated", "differences-first", "factored"),
     bound(a0 = 3.01, a1 = 3.01),
     results(
         a0(worksheet = "p_a0_1", unit = "m/s^2"),
@@ -217,10 +217,10 @@ pub fn boundary_accelerations(
     #[input(maxima = "t1", unit = "s", typical(0.0001, 0.1))] t1: f64,
 ) -> BoundaryAccelerations {
     require!(t1 > 0.0, "t1 > 0");
-    // compensated
+    // compensated, differences-first
     let cancelling = compensated!(t1 * (2.0 * v0 + v1) - 3.0 * (x1 - x0));
     let product = t1 * t1;
-    // compensated
+    // compensated, differences-first
     let cancelling2 = compensated!(t1 * (2.0 * v1 + v0) - 3.0 * (x1 - x0));
     BoundaryAccelerations {
         a0: -2.0 * cancelling / product,
@@ -275,7 +275,7 @@ pub struct ArrivalFirst {
     maxima = "s_t1_2(x0,v0,x1,v1,a0):=(6*x1-6*x0)/(sqrt(6*a0*x1-6*a0*x0+v1^2+4*v0*v1+4*v0^2)+v1+2*v0)\ns_a1_2(x0,v0,x1,v1,a0):=((v1-v0)*sqrt(6*a0*x1-6*a0*x0+v1^2+4*v0*v1+4*v0^2)-3*a0*x1+3*a0*x0+v1^2+v0*v1-2*v0^2)/(3*x1-3*x0)",
     latex = "s_{t,1,2} = \\frac{6\\,x_{1}-6\\,x_{0}}{\\sqrt{6\\,a_{0}\\,x_{1}-6\\,a_{0}\\,x_{0}+v_{1}^{2}+4\\,v_{0}\\,v_{1}+4\\,v_{0}^{2}}+v_{1}+2\\,v_{0}} \\\\ s_{a,1,2} = \\frac{\\left(v_{1}-v_{0}\\right)\\,\\sqrt{6\\,a_{0}\\,x_{1}-6\\,a_{0}\\,x_{0}+v_{1}^{2}+4\\,v_{0}\\,v_{1}+4\\,v_{0}^{2}}-3\\,a_{0}\\,x_{1}+3\\,a_{0}\\,x_{0}+v_{1}^{2}+v_{0}\\,v_{1}-2\\,v_{0}^{2}}{3\\,x_{1}-3\\,x_{0}}",
     source = "1.2 %o13, %o14",
-    rules("compensated", "conjugate", "factored", "sign-branch"),
+    rules("compensated", "conjugate", "differences-first", "factored", "sign-branch"),
     bound(t1 = 5.51, a1 = 7.51),
     results(
         t1(worksheet = "s_t1_2", unit = "s"),
@@ -293,14 +293,14 @@ pub fn arrival_first(
     require!(a0 != 0.0 || 2.0 * v0 + v1 > 0.0, "a0 # 0 or v1+2*v0 > 0");
     require!(compensated!(6.0 * a0 * (x1 - x0) + (2.0 * v0 + v1) * (2.0 * v0 + v1)) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
     let sum = 2.0 * v0 + v1;
-    // compensated
+    // compensated, differences-first
     let cancelling = compensated!(6.0 * a0 * (x1 - x0) + (2.0 * v0 + v1) * (2.0 * v0 + v1));
     let root = sqrt(cancelling);
     let difference = x1 - x0;
-    // compensated
+    // compensated, differences-first
     let cancelling2 = compensated!(v0 * (v1 - 2.0 * v0) + (v1 * v1 - 3.0 * a0 * (x1 - x0)));
     let difference2 = v1 - v0;
-    // compensated
+    // compensated, differences-first
     let cancelling3 = compensated!(3.0 * a0 * (x1 - x0) + 2.0 * (v0 - v1) * (2.0 * v1 + v0));
     ArrivalFirst {
         t1: if sum <= 0.0 { (root - sum) / a0 } else { 6.0 * difference / (root + sum) },
@@ -359,7 +359,7 @@ pub struct ArrivalLast {
     maxima = "s_t1_1(x0,v0,x1,v1,a0):=-(6*x1-6*x0)/(sqrt(6*a0*x1-6*a0*x0+v1^2+4*v0*v1+4*v0^2)-v1-2*v0)\ns_a1_1(x0,v0,x1,v1,a0):=-((v1-v0)*sqrt(6*a0*x1-6*a0*x0+v1^2+4*v0*v1+4*v0^2)+3*a0*x1-3*a0*x0-v1^2-v0*v1+2*v0^2)/(3*x1-3*x0)",
     latex = "s_{t,1,1} = \\frac{-\\left(6\\,x_{1}-6\\,x_{0}\\right)}{\\sqrt{6\\,a_{0}\\,x_{1}-6\\,a_{0}\\,x_{0}+v_{1}^{2}+4\\,v_{0}\\,v_{1}+4\\,v_{0}^{2}}-v_{1}-2\\,v_{0}} \\\\ s_{a,1,1} = \\frac{-\\left(\\left(v_{1}-v_{0}\\right)\\,\\sqrt{6\\,a_{0}\\,x_{1}-6\\,a_{0}\\,x_{0}+v_{1}^{2}+4\\,v_{0}\\,v_{1}+4\\,v_{0}^{2}}+3\\,a_{0}\\,x_{1}-3\\,a_{0}\\,x_{0}-v_{1}^{2}-v_{0}\\,v_{1}+2\\,v_{0}^{2}\\right)}{3\\,x_{1}-3\\,x_{0}}",
     source = "1.2 %o11, %o12",
-    rules("compensated", "conjugate", "factored", "sign-branch"),
+    rules("compensated", "conjugate", "differences-first", "factored", "sign-branch"),
     bound(t1 = 5.51, a1 = 7.51),
     results(
         t1(worksheet = "s_t1_1", unit = "s"),
@@ -377,15 +377,15 @@ pub fn arrival_last(
     require!(a0 != 0.0 || 2.0 * v0 + v1 < 0.0, "a0 # 0 or v1+2*v0 < 0");
     require!(compensated!(6.0 * a0 * (x1 - x0) + (2.0 * v0 + v1) * (2.0 * v0 + v1)) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
     let sum = 2.0 * v0 + v1;
-    // compensated
+    // compensated, differences-first
     let cancelling = compensated!(6.0 * a0 * (x1 - x0) + (2.0 * v0 + v1) * (2.0 * v0 + v1));
     let root = sqrt(cancelling);
     let difference = x1 - x0;
-    // compensated
+    // compensated, differences-first
     let cancelling2 = compensated!(v0 * (v1 - 2.0 * v0) + (v1 * v1 - 3.0 * a0 * (x1 - x0)));
     let difference2 = v1 - v0;
     let difference3 = v0 - v1;
-    // compensated
+    // compensated, differences-first
     let cancelling3 = compensated!(3.0 * a0 * (x1 - x0) + 2.0 * (v0 - v1) * (2.0 * v1 + v0));
     ArrivalLast {
         t1: if sum >= 0.0 { -(root + sum) / a0 } else { -6.0 * difference / (root - sum) },
@@ -505,7 +505,7 @@ pub struct MinJerkSegment {
     maxima = "SngMinJrk_t1(x0,v0,x1,v1,ai,af):=(2*v1-2*v0)/(ai+af)\nSngMinJrk_Delta(x0,v0,x1,v1,ai,af):=((3*ai^2+6*af*ai+3*af^2)*x1+(-3*ai^2-6*af*ai-3*af^2)*x0+(-4*ai-2*af)*v1^2+(2*ai-2*af)*v0*v1+(2*ai+4*af)*v0^2)/(2*v1^2-4*v0*v1+2*v0^2)",
     latex = "\\mathrm{Sng}_{\\mathrm{MinJrk},t,1} = \\frac{2\\,v_{1}-2\\,v_{0}}{\\mathrm{ai}+\\mathrm{af}} \\\\ \\mathrm{Sng}_{\\mathrm{MinJrk},\\Delta} = \\frac{\\left(3\\,\\mathrm{ai}^{2}+6\\,\\mathrm{af}\\,\\mathrm{ai}+3\\,\\mathrm{af}^{2}\\right)\\,x_{1}+\\left(\\left(-3\\right)\\,\\mathrm{ai}^{2}-6\\,\\mathrm{af}\\,\\mathrm{ai}-3\\,\\mathrm{af}^{2}\\right)\\,x_{0}+\\left(\\left(-4\\right)\\,\\mathrm{ai}-2\\,\\mathrm{af}\\right)\\,v_{1}^{2}+\\left(2\\,\\mathrm{ai}-2\\,\\mathrm{af}\\right)\\,v_{0}\\,v_{1}+\\left(2\\,\\mathrm{ai}+4\\,\\mathrm{af}\\right)\\,v_{0}^{2}}{2\\,v_{1}^{2}-4\\,v_{0}\\,v_{1}+2\\,v_{0}^{2}}",
     source = "1.3 eqSngMinJrk (not shown)",
-    rules("compensated", "factored"),
+    rules("compensated", "differences-first", "factored"),
     bound(t1 = 3.0, delta_a = 5.01),
     results(
         t1(worksheet = "SngMinJrk_t1", unit = "s"),
@@ -522,7 +522,7 @@ pub fn min_jerk_segment(
 ) -> MinJerkSegment {
     require!((v1 > v0 && ai + af > 0.0) || (v0 > v1 && ai + af < 0.0), "v1 > v0 and ai+af > 0 or v1 < v0 and ai+af < 0");
     let difference = v1 - v0;
-    // compensated
+    // compensated, differences-first
     let cancelling = compensated!(
         2.0 * v0 * (v1 * (af - ai) - v0 * (2.0 * af + ai))
         + (2.0 * v1 * v1 * (2.0 * ai + af) - 3.0 * (x1 - x0) * (ai + af) * (ai + af))

@@ -81,7 +81,7 @@ pub fn outer_ramp(
     let product = 2.0 * t3;
     let sum = 3.0 * t2 + product;
     let root = sqrt(a0 * (a0 * sum * sum + 48.0 * delta_x));
-    // factored
+    // factored, conjugate
     let quotient = 2.0 * cancelling / (root + 3.0 * a0 * (product + t2));
     OuterRamp {
         t0: quotient,
@@ -166,7 +166,7 @@ pub fn inner_ramp(
     // factored
     let product = 3.0 * a0 * (2.0 * t0 + t2);
     let root = sqrt(product * product + 16.0 * a0 * cancelling);
-    // factored
+    // factored, conjugate
     let quotient = 2.0 * cancelling / (root + product);
     InnerRamp {
         t3: quotient,
@@ -232,7 +232,7 @@ pub fn t_in(
     let product = 2.0 * t_out;
     let sum = product + 3.0 * t_edge_total;
     let root = sqrt(a2_max * (a2_max * sum * sum + 48.0 * d2_step));
-    // factored
+    // factored, conjugate
     2.0 * cancelling / (root + 3.0 * a2_max * (product + t_edge_total))
 }
 
@@ -614,7 +614,7 @@ pub fn tau_without_skip(
     // compensated
     let cancelling = compensated!(3.0 * delta - t_in * t_in);
     let root = sqrt(24.0 * delta + t_in * t_in);
-    // factored
+    // factored, conjugate
     cancelling / (root + 3.0 * t_in)
 }
 
@@ -778,7 +778,7 @@ pub fn t_edge_of_t_in(
     // compensated
     let cancelling = compensated!(3.0 * delta - (t_in + t_out) * (2.0 * t_out + t_in));
     let root = sqrt(24.0 * delta + t_in * t_in);
-    // factored
+    // factored, conjugate
     4.0 * cancelling / (root + (3.0 * t_in + 4.0 * t_out))
 }
 

@@ -1,6 +1,6 @@
 //! Rule `compensated`: what may cancel and cannot be rewritten is evaluated in double-double.
 
-use super::Rule;
+use super::{Rule, differences_first};
 use crate::algebra::Polynomial;
 use crate::field::{Sign, TowerError};
 use crate::program::Node;
@@ -21,9 +21,13 @@ pub fn apply(builder: &mut Builder, polynomial: &Polynomial) -> Result<Node, Tow
     let sign = builder.tower.facts.sign(polynomial);
     let turned = sign.is(Sign::NONPOSITIVE);
     let (polynomial, sign) = if turned { (&polynomial.negated(), -sign) } else { (polynomial, sign) };
-    let (content, wide) = builder.wide(polynomial)?;
+    let grouped = differences_first::group(builder, polynomial)?;
+    let (content, wide) = builder.wide(&grouped)?;
     let slice = builder.graph.compensated(wide, sign);
     builder.apply(&RULE, slice);
+    if grouped != *polynomial {
+        builder.apply(&differences_first::RULE, slice);
+    }
     let content = builder.graph.constant(&if turned { -content } else { content });
     Ok(builder.graph.mul(content, slice))
 }
