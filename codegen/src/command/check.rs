@@ -1,6 +1,8 @@
 //! `closedform check`: the generated kernels are what the references say, and with `--maxima` what Maxima says today.
 
 use super::generate::{kernels, worksheets};
+use super::readme;
+use crate::catalogue::Catalogue;
 use crate::folder::{self, Difference};
 use crate::worker::{self, Source};
 use crate::worksheet::derive::{Options, compare_golden};
@@ -49,10 +51,13 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
 fn fresh(root: &Path) -> miette::Result<()> {
     let generated = worker::run(&Source::Folder(worksheets(root)))?;
     let differences = folder::compare(&kernels(root), &generated.files).into_diagnostic()?;
-    if differences.is_empty() {
-        return Ok(());
+    let mut stale: Vec<String> = differences.iter().map(|difference| describe(root, difference)).collect();
+    if stale.is_empty() {
+        let catalogue = Catalogue::load(&kernels(root))?;
+        let table = readme::expected(root, &catalogue)?;
+        stale.extend(table.filter(|(expected, present)| expected != present).map(|_| "stale: the table of kernels in README.md".to_owned()));
     }
-    Err(CheckError::Stale(differences.iter().map(|difference| describe(root, difference)).collect()).into())
+    if stale.is_empty() { Ok(()) } else { Err(CheckError::Stale(stale).into()) }
 }
 
 fn describe(root: &Path, difference: &Difference) -> String {

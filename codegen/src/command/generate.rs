@@ -1,6 +1,6 @@
 //! `closedform generate`: references to kernels, proved and measured; or a worksheet of one's own to a crate of its own.
 
-use super::output;
+use super::{output, readme};
 use super::verify::worst_of;
 use crate::catalogue::Catalogue;
 use crate::pipeline::Made;
@@ -21,7 +21,7 @@ pub struct Args {
     #[arg(long, value_name = "DIR", requires = "input")]
     out: Option<PathBuf>,
     /// How many points of each kernel's domain to measure for the table
-    #[arg(long, default_value_t = 200)]
+    #[arg(long, default_value_t = readme::POINTS)]
     points: u32,
 }
 
@@ -52,7 +52,8 @@ pub fn kernels(root: &Path) -> PathBuf {
 fn project(args: &Args, root: &Path) -> miette::Result<()> {
     let generated = worker::run(&Source::Folder(worksheets(root)))?;
     let target = kernels(root);
-    let changed = write(&target, &generated.files)?;
+    let mut changed = write(&target, &generated.files)?;
+    changed += usize::from(readme::update(root, &Catalogue::load(&target)?)?);
     report(&generated.kernels, &target, args.points)?;
     eprintln!("{} kernels, all proved equal to their reference expressions; {changed} files changed", generated.kernels.len());
     Ok(())

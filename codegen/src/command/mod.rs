@@ -7,5 +7,6 @@ pub mod eval;
 pub mod generate;
 pub mod list;
 pub mod output;
+pub mod readme;
 pub mod show;
 pub mod verify;
