@@ -3,7 +3,7 @@
 //! Symbolica without a licence key prints its notice on standard output and may abort the process. The command therefore
 //! starts itself once more, hands the notice on to standard error, and turns an abort into an error.
 
-use crate::algebra::{Session, SessionError};
+use crate::algebra::{Turn, TurnError};
 use crate::pipeline::{Generated, PipelineError, generate, unproved};
 use crate::worksheet::derive::{DeriveError, Options, rederive};
 use crate::worksheet::family::{Family, FamilyError, families};
@@ -53,7 +53,7 @@ pub enum WorkerError {
     Family(#[from] FamilyError),
     /// The lock is taken.
     #[error(transparent)]
-    Session(#[from] SessionError),
+    Turn(#[from] TurnError),
     /// A worksheet cannot be run.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -112,7 +112,7 @@ pub fn work(source: &Source, output: &Path) -> Result<(), WorkerError> {
 }
 
 fn generated(families: &[Family]) -> Result<Generated, WorkerError> {
-    let _session = Session::start()?;
+    let _turn = Turn::take()?;
     let bar = progress_bar(families.iter().map(|family| family.contract.kernels.len()).sum());
     let generated = generate(families, |kernel| {
         bar.set_message(kernel.to_owned());
@@ -128,7 +128,7 @@ fn rederived(folder: &Path, kernels: &Path) -> Result<(), WorkerError> {
     for family in &mut families {
         family.references = rederive(folder, &family.name, &Options::default())?;
     }
-    let _session = Session::start()?;
+    let _turn = Turn::take()?;
     let mut causes = Vec::new();
     for family in &families {
         let text = fs::read_to_string(kernels.join(format!("{}.rs", family.name)))?;

@@ -19,7 +19,7 @@ pub fn function(error: &syn::Error, mut function: ItemFn) -> TokenStream {
         #(#attrs)*
         #[allow(unused)]
         #vis #sig {
-            ::core::unimplemented!()
+            ::core::unreachable!()
         }
         #[doc = "Stands in for a kernel that does not compile."]
         #[allow(unused)]

@@ -257,7 +257,7 @@ pub enum Terminator {
 /// An expression of a worksheet with what ends it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Statement {
-    /// The `%i12` or `%o12` in parentheses before it, where text was copied from a session.
+    /// The `%i12` or `%o12` in parentheses before it, where text was copied from a transcript.
     pub label: Option<String>,
     /// What is stated.
     pub expression: Expr,

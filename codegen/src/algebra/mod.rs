@@ -1,7 +1,7 @@
 //! Exact algebra by Symbolica: the only folder that names it.
 
 mod polynomial;
-mod session;
+mod turn;
 
 pub use polynomial::{Factors, Polynomial, Ring, Term, Var};
-pub use session::{Session, SessionError};
+pub use turn::{Turn, TurnError};

@@ -1,17 +1,17 @@
-//! The one Symbolica session of a machine: a lock, because a second unlicensed one would abort the process.
+//! The turn to use Symbolica: a lock of the machine, because a second unlicensed process would abort.
 
 use std::fs::{File, OpenOptions, TryLockError};
 use std::path::PathBuf;
 use thiserror::Error;
 
 /// The right to use Symbolica, until it is dropped.
-pub struct Session {
+pub struct Turn {
     _lock: File,
 }
 
-/// Why no session can start.
+/// Why it is not our turn.
 #[derive(Debug, Error)]
-pub enum SessionError {
+pub enum TurnError {
     /// Another process holds the lock.
     #[error(
         "another closedform command is doing algebra on this machine (lock {0})\n\
@@ -28,19 +28,19 @@ pub enum SessionError {
     },
 }
 
-impl Session {
+impl Turn {
     /// Takes the machine's lock.
     ///
     /// # Errors
     /// When another process holds it, or the lock file cannot be opened.
-    pub fn start() -> Result<Self, SessionError> {
+    pub fn take() -> Result<Self, TurnError> {
         let path = std::env::temp_dir().join("closedform-symbolica.lock");
         let open = OpenOptions::new().create(true).truncate(false).write(true).open(&path);
-        let lock = open.map_err(|cause| SessionError::Lock { path: path.clone(), cause })?;
+        let lock = open.map_err(|cause| TurnError::Lock { path: path.clone(), cause })?;
         match lock.try_lock() {
             Ok(()) => Ok(Self { _lock: lock }),
-            Err(TryLockError::WouldBlock) => Err(SessionError::Busy(path)),
-            Err(TryLockError::Error(cause)) => Err(SessionError::Lock { path, cause }),
+            Err(TryLockError::WouldBlock) => Err(TurnError::Busy(path)),
+            Err(TryLockError::Error(cause)) => Err(TurnError::Lock { path, cause }),
         }
     }
 }
