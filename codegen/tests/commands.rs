@@ -148,7 +148,7 @@ fn a_worksheet_of_ones_own_becomes_a_crate_that_passes_its_judges() {
     let again = closedform(&repository(), &arguments);
     assert!(again.status.success(), "{}", String::from_utf8_lossy(&again.stderr));
     let mut test = Command::new(env!("CARGO"));
-    test.args(["test", "--quiet"]).current_dir(&out);
+    test.args(["test", "--quiet", "--offline"]).current_dir(&out);
     let output = test.env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).join("mine")).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }

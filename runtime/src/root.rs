@@ -121,5 +121,6 @@ pub(crate) fn bound(terms: &[Option<Term>; MAX_TERMS]) -> Option<i64> {
 
 /// The quotient rounded up; of a positive divisor.
 fn ceil_div(a: i64, b: i64) -> i64 {
-    -(-a).div_euclid(b)
+    // The maximum is `b`: it lets the compiler see that no division panics.
+    -(-a).div_euclid(b.max(1))
 }

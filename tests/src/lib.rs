@@ -4,6 +4,8 @@
 //! Maxima's own numbers, and domains are decided exactly.
 
 pub mod algebra;
+pub mod assembly;
+pub mod bare;
 pub mod budget;
 pub mod check;
 pub mod contract;
@@ -16,6 +18,7 @@ pub mod hunt;
 pub mod inputs;
 pub mod kernels;
 pub mod laws;
+pub mod layering;
 pub mod parallel;
 pub mod random;
 pub mod rational;
@@ -24,6 +27,8 @@ pub mod scaling;
 pub mod shapes;
 pub mod strategy;
 pub mod table;
+pub mod tidy;
 pub mod ulp;
 pub mod worksheets;
+pub mod workspace;
 pub mod zeros;

@@ -3,7 +3,7 @@
 mod condition;
 mod exact;
 
-use num_rational::BigRational;
+use rug::Rational;
 
 pub use condition::{Comparison, ComparisonOperator, Condition, ConditionError};
 
@@ -54,8 +54,8 @@ impl Domain {
 }
 
 /// The same point in rationals; `None` if a coordinate is not finite.
-pub(super) fn exact(point: &[f64]) -> Option<Vec<BigRational>> {
-    point.iter().map(|value| BigRational::from_float(*value)).collect()
+pub(super) fn exact(point: &[f64]) -> Option<Vec<Rational>> {
+    point.iter().map(|value| Rational::from_f64(*value)).collect()
 }
 
 #[cfg(test)]

@@ -4,8 +4,7 @@ use std::cmp::Ordering;
 use std::ops::Range;
 
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, parse_expression};
-use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use rug::{Integer, Rational};
 use thiserror::Error;
 
 use super::exact::Exact;
@@ -150,7 +149,7 @@ impl Condition {
     }
 
     /// Whether the condition holds at a point, one coordinate a variable; a comparison with a pole does not.
-    pub fn holds(&self, point: &[BigRational]) -> bool {
+    pub fn holds(&self, point: &[Rational]) -> bool {
         match self {
             Self::Compare(comparison) => comparison.holds(point),
             Self::And(parts) => parts.iter().all(|part| part.holds(point)),
@@ -171,13 +170,13 @@ impl Condition {
 
 impl Comparison {
     /// Whether the comparison holds at a point.
-    pub fn holds(&self, point: &[BigRational]) -> bool {
-        let sign = self.difference(point).map(|difference| difference.cmp(&BigRational::zero()));
+    pub fn holds(&self, point: &[Rational]) -> bool {
+        let sign = self.difference(point).map(|difference| difference.cmp0());
         sign.is_some_and(|sign| self.operator.accepts(sign))
     }
 
     /// `lhs - rhs` at a point; `None` at a pole.
-    pub fn difference(&self, point: &[BigRational]) -> Option<BigRational> {
+    pub fn difference(&self, point: &[Rational]) -> Option<Rational> {
         self.difference.at(point)
     }
 
@@ -216,7 +215,7 @@ fn rational(expression: &Expr, variables: &[String]) -> Result<Exact, ConditionE
     let not_rational = || ConditionError::NotRational { span: expression.span.clone() };
     match &expression.kind {
         ExprKind::Integer(_) | ExprKind::Float(_) => {
-            closedform_maxima::exact::rational(expression).map(Exact::Number).map_err(|_| not_rational())
+            closedform_maxima::exact::rational(expression).ok().and_then(|value| number(&value)).ok_or_else(not_rational)
         }
         ExprKind::Symbol(name) => variable(name, variables)
             .ok_or_else(|| ConditionError::UnknownVariable { name: name.clone(), span: expression.span.clone() }),
@@ -231,6 +230,12 @@ fn rational(expression: &Expr, variables: &[String]) -> Result<Exact, ConditionE
         },
         _ => Err(not_rational()),
     }
+}
+
+/// The number in the arithmetic of conditions, which is GMP's because sampling decides many of them.
+fn number(value: &num_rational::BigRational) -> Option<Exact> {
+    let integer = |number: &num_bigint::BigInt| number.to_string().parse::<Integer>().ok();
+    Some(Exact::Number(Rational::from((integer(value.numer())?, integer(value.denom())?))))
 }
 
 fn variable(name: &str, variables: &[String]) -> Option<Exact> {
@@ -250,6 +255,6 @@ fn binary(operator: BinaryOperator, left: Exact, right: Exact) -> Option<Exact> 
 
 fn small_integer(exponent: &Exact) -> Option<i32> {
     let value = exponent.at(&[])?;
-    let value = value.is_integer().then(|| value.to_integer().to_i32())??;
+    let value = if value.is_integer() { value.numer().to_i32()? } else { return None };
     (value.abs() <= MAX_POWER).then_some(value)
 }

@@ -1,12 +1,12 @@
 //! Rational functions of a kernel's inputs, evaluated without rounding.
 
-use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use rug::Rational;
+use rug::ops::Pow;
 
 /// A rational function; variables are positions in the list of inputs.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Exact {
-    Number(BigRational),
+    Number(Rational),
     Variable(usize),
     Sum(Vec<Exact>),
     Product(Vec<Exact>),
@@ -22,16 +22,16 @@ impl Exact {
 
     /// The function with the other sign.
     pub(super) fn negated(self) -> Self {
-        Self::Product(vec![Self::Number(-BigRational::one()), self])
+        Self::Product(vec![Self::Number(Rational::from(-1)), self])
     }
 
     /// The value at a point; `None` at a pole.
-    pub(super) fn at(&self, point: &[BigRational]) -> Option<BigRational> {
+    pub(super) fn at(&self, point: &[Rational]) -> Option<Rational> {
         Some(match self {
             Self::Number(value) => value.clone(),
             Self::Variable(index) => point.get(*index)?.clone(),
-            Self::Sum(terms) => all(terms, point)?.into_iter().sum(),
-            Self::Product(factors) => all(factors, point)?.into_iter().product(),
+            Self::Sum(terms) => all(terms, point)?.into_iter().fold(Rational::new(), |sum, term| sum + term),
+            Self::Product(factors) => all(factors, point)?.into_iter().fold(Rational::from(1), |product, factor| product * factor),
             Self::Power(base, exponent) => power(base.at(point)?, *exponent)?,
             Self::Abs(argument) => argument.at(point)?.abs(),
         })
@@ -48,10 +48,10 @@ impl Exact {
     }
 }
 
-fn all(parts: &[Exact], point: &[BigRational]) -> Option<Vec<BigRational>> {
+fn all(parts: &[Exact], point: &[Rational]) -> Option<Vec<Rational>> {
     parts.iter().map(|part| part.at(point)).collect()
 }
 
-fn power(base: BigRational, exponent: i32) -> Option<BigRational> {
+fn power(base: Rational, exponent: i32) -> Option<Rational> {
     if exponent < 0 && base.is_zero() { None } else { Some(base.pow(exponent)) }
 }

@@ -1,7 +1,6 @@
 //! Edges of a domain: where one of its comparisons changes between true and false.
 
-use num_rational::BigRational;
-use num_traits::{ToPrimitive, Zero};
+use rug::Rational;
 
 use super::super::domain::{Comparison, Condition, Domain, exact};
 
@@ -43,7 +42,7 @@ impl<'a> Edges<'a> {
 
     /// Whether the conditions that name this input alone hold.
     pub(super) fn allowed_alone(&self, input: usize, value: f64) -> bool {
-        let Some(value) = BigRational::from_float(value) else { return false };
+        let Some(value) = Rational::from_f64(value) else { return false };
         let point = vec![value; input + 1];
         self.alone.iter().filter(|(named, _)| *named == input).all(|(_, condition)| condition.holds(&point))
     }
@@ -52,21 +51,24 @@ impl<'a> Edges<'a> {
     pub(super) fn solve(&self, edge: usize, input: usize, point: &[f64]) -> Option<f64> {
         let mut moved = exact(point)?;
         let mut difference = |value: i32| {
-            moved[input] = BigRational::from_integer(value.into());
+            moved[input] = Rational::from(value);
             self.comparisons[edge].difference(&moved)
         };
         let (first, second, third) = (difference(1)?, difference(2)?, difference(4)?);
-        let slope = &second - &first;
-        let linear = (&third - &second) == &slope + &slope;
-        let at = BigRational::from_integer(1.into()) - if slope.is_zero() { return None } else { first / slope };
-        at.to_f64().filter(|at| linear && at.is_finite())
+        let slope = Rational::from(&second - &first);
+        let linear = third - second == Rational::from(&slope + &slope);
+        if !linear || slope.is_zero() {
+            return None;
+        }
+        let at = (Rational::from(1) - first / slope).to_f64();
+        at.is_finite().then_some(at)
     }
 
     /// The last value, going from the point's own towards `other`, at which the comparison is as at the point.
     pub(super) fn bisect(&self, edge: usize, input: usize, point: &[f64], other: f64) -> Option<f64> {
         let mut moved = exact(point)?;
         let mut holds = |value: f64| {
-            moved[input] = BigRational::from_float(value)?;
+            moved[input] = Rational::from_f64(value)?;
             Some(self.comparisons[edge].holds(&moved))
         };
         let (mut near, mut far) = (rank(point[input]), rank(other));
