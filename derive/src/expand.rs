@@ -93,7 +93,7 @@ impl<'a> Parts<'a> {
         let (evaluate, domain) = (program::evaluate(self.kernel), program::domain(self.kernel));
         let k = self.kernel.requires.len();
         let all = program::inputs();
-        let slices = Ident::new("slices", Span::mixed_site());
+        let slices = Ident::new("__slices", Span::mixed_site());
         quote! {
             pub(super) struct Program;
 
@@ -158,7 +158,7 @@ impl<'a> Parts<'a> {
         let checks = self.length_checks();
         let rows = self.rows();
         let values: Vec<_> =
-            (0..results.len()).map(|i| format_ident!("value_{i}", span = Span::mixed_site())).collect();
+            (0..results.len()).map(|i| format_ident!("__value_{i}", span = Span::mixed_site())).collect();
         quote! {
             /// The values of many points, bit for bit those of single calls; inputs first, then one slice a result.
             ///
@@ -181,7 +181,7 @@ impl<'a> Parts<'a> {
 
     /// That all slices of a batch are as long as the first.
     fn length_checks(&self) -> TokenStream {
-        let length = Ident::new("length", Span::mixed_site());
+        let length = Ident::new("__length", Span::mixed_site());
         let slices = self.inputs.iter().copied().chain(&self.results);
         let checks = slices.clone().skip(1).map(|slice| {
             let name = slice.to_string();

@@ -171,7 +171,7 @@ fn bounds(item: &Meta, errors: &mut Errors) -> Vec<About<f64>> {
 
 fn bound(item: &Meta, field: Option<&Ident>, errors: &mut Errors) -> Option<About<f64>> {
     let number = match item {
-        Meta::NameValue(pair) => positive(&pair.value),
+        Meta::NameValue(pair) => not_negative(&pair.value),
         _ => None,
     };
     if number.is_none() {
@@ -180,15 +180,15 @@ fn bound(item: &Meta, field: Option<&Ident>, errors: &mut Errors) -> Option<Abou
     Some(About { path: item.path().clone(), field: field.cloned(), fact: number? })
 }
 
-/// A literal above zero, with or without a decimal point.
-fn positive(value: &Expr) -> Option<f64> {
+/// A literal of at least zero, with or without a decimal point.
+fn not_negative(value: &Expr) -> Option<f64> {
     let Expr::Lit(ExprLit { lit, .. }) = value else { return None };
     let number: Option<f64> = match lit {
         Lit::Int(int) => int.base10_parse().ok(),
         Lit::Float(float) => float.base10_parse().ok(),
         _ => None,
     };
-    number.filter(|number| *number > 0.0 && number.is_finite())
+    number.filter(|number| *number >= 0.0 && number.is_finite())
 }
 
 fn results(item: &Meta, errors: &mut Errors) -> Vec<About<Described>> {

@@ -9,7 +9,7 @@ pub const ATTRIBUTE_TWICE: &str = "this key is written twice; keep one";
 pub const TEXT: &str = "write this key as `key = \"text\"`";
 pub const RULES: &str = "write the rules as `rules(\"one\", \"another\")`";
 pub const BOUND: &str =
-    "write the bound as `bound = 4`, or for a struct `bound(field = 4, other = 6)`: ulp, above zero";
+    "write the bound as `bound = 4`, or for a struct `bound(field = 4, other = 6)`: ulp, not below zero";
 pub const RESULT: &str = "write a result as `result(worksheet = \"..\", unit = \"..\")`";
 pub const RESULTS: &str = "write the results as `results(field(worksheet = \"..\", unit = \"..\"), other(..))`";
 pub const FIELD_META_OF_NUMBER: &str =

@@ -105,7 +105,7 @@ impl Space {
         Points { origin: format!("{maker:?}, seed {seed}"), list: (0..count).map(point).collect() }
     }
 
-    /// `count` points outside the domain, at its edges and of wrong signs; none where the kernel takes everything.
+    /// `count` points outside the domain, at its edges, of wrong signs and at zeros; none where the kernel takes everything.
     pub fn outside(&self, seed: u64, count: usize) -> Points {
         let mut random = Random::new(seed, &format!("{} outside", self.info.name));
         let count = if self.has(Maker::Edges) { count } else { 0 };
@@ -113,7 +113,7 @@ impl Space {
             let maker = *random.pick(&[Maker::Edges, Maker::Logarithmic]);
             let mut point = self.candidate(maker, random)?;
             if maker == Maker::Logarithmic {
-                point.iter_mut().for_each(|value| *value *= *random.pick(&[1.0, -1.0]));
+                point.iter_mut().for_each(|value| *value *= *random.pick(&[1.0, -1.0, 0.0]));
             }
             Some(point)
         };

@@ -23,7 +23,7 @@ impl Dimension {
                 let (base, power) = factor.split_once('^').unwrap_or((factor, "1"));
                 let power = sign * power.parse::<i32>().ok()?;
                 match base {
-                    "m" => dimension.length += power,
+                    "m" | "mm" => dimension.length += power,
                     "s" => dimension.time += power,
                     "1" => {}
                     _ => return None,

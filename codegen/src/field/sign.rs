@@ -218,10 +218,17 @@ impl Facts {
             self.known.push((polynomial.clone(), sign));
             let linear = polynomial.terms().iter().all(|t| t.exponents.iter().sum::<u16>() <= 1);
             if linear && sign.is_definite() {
-                self.slacks.retain(|slack| slack.polynomial != *polynomial);
-                self.slacks.push(Slack { polynomial: polynomial.clone(), sign });
+                self.push_slack(polynomial, sign);
             }
         }
+    }
+
+    /// Slacks are kept nonnegative, so that what is written through them has no needless minus.
+    fn push_slack(&mut self, polynomial: &Polynomial, sign: Sign) {
+        let turned = sign.is(Sign::NONPOSITIVE);
+        let (polynomial, sign) = if turned { (polynomial.negated(), -sign) } else { (polynomial.clone(), sign) };
+        self.slacks.retain(|slack| slack.polynomial != polynomial);
+        self.slacks.push(Slack { polynomial, sign });
     }
 
     /// The linear polynomials of known sign.

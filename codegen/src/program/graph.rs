@@ -213,7 +213,7 @@ impl Graph {
         match self.op(a).clone() {
             Op::Literal(value) => self.constant(&-value),
             Op::Neg(inner) => inner,
-            Op::Mul(x, y) if self.leads_with_literal(x) => {
+            Op::Mul(x, y) if self.leads_with_literal(x) || self.begins_with_minus(a) => {
                 let turned = self.neg(x);
                 self.mul(turned, y)
             }
@@ -299,8 +299,21 @@ impl Graph {
                 return self.mul(reciprocal, a);
             }
         }
+        if self.begins_with_minus(a) && self.begins_with_minus(b) {
+            let (a, b) = (self.neg(a), self.neg(b));
+            return self.div(a, b);
+        }
         let error = self.error(a) + self.error(b) + ROUNDING;
         self.push(Op::Div(a, b), self.sign(a) * self.sign(b), error)
+    }
+
+    fn begins_with_minus(&self, node: Node) -> bool {
+        match self.op(node) {
+            Op::Neg(_) => true,
+            Op::Literal(value) => value.is_negative(),
+            Op::Mul(first, _) => self.begins_with_minus(*first),
+            _ => false,
+        }
     }
 
     /// The square root.

@@ -226,14 +226,22 @@ impl Builder {
         }
         let node = match self.plain(polynomial)? {
             Some(node) => node,
-            None => match rules::known_sum::apply(self, polynomial)? {
-                Some(node) => node,
-                None => rules::compensated::apply(self, polynomial)?,
-            },
+            None => self.rewritten(polynomial)?,
         };
         self.graph.learn(node, self.tower.facts.sign(polynomial));
         self.polynomials.insert(key, node);
         Ok(node)
+    }
+
+    /// The steps of a polynomial that has no plain form as it stands, by the first rule that applies.
+    fn rewritten(&mut self, polynomial: &Polynomial) -> Result<Node, TowerError> {
+        if let Some(node) = rules::differences_first::apply(self, polynomial)? {
+            return Ok(node);
+        }
+        if let Some(node) = rules::known_sum::apply(self, polynomial)? {
+            return Ok(node);
+        }
+        rules::compensated::apply(self, polynomial)
     }
 
     /// The steps of a polynomial in plain arithmetic, if no sum of theirs can cancel.
@@ -319,7 +327,9 @@ impl Builder {
         Wide::Add(Box::new(Wide::Leaf(self.graph.constant(&high))), Box::new(low))
     }
 
-    fn difference_of(&self, var: Var) -> Option<(Var, Var)> {
+    /// The two inputs whose difference a variable stands for.
+    #[must_use]
+    pub fn difference_of(&self, var: Var) -> Option<(Var, Var)> {
         self.differences.iter().find(|(_, v)| **v == var).map(|(pair, _)| *pair)
     }
 
@@ -335,6 +345,10 @@ impl Builder {
         let sign = self.tower.facts.sign(&ring.variable(a).minus(&ring.variable(b)));
         let var = self.tower.allocate(sign)?;
         self.differences.insert((a, b), var);
+        let (high, low) = (self.variable(a)?, self.variable(b)?);
+        let difference = self.graph.sub(high, low);
+        self.graph.learn(difference, sign);
+        self.stand_ins.insert(var, difference);
         Ok(var)
     }
 

@@ -1,6 +1,6 @@
 use closedform::kernel;
 
-#[kernel(bound = 0)]
+#[kernel(bound = -1)]
 pub fn f(x: f64) -> f64 {
     x
 }

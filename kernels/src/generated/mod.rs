@@ -3,14 +3,39 @@
 
 use closedform::Kernel;
 
+pub mod fly_axis;
+pub mod milling_time;
 pub mod optimum;
+pub mod overhead;
 pub mod pvt;
+pub mod return_path;
 pub mod turnaround;
+pub mod waypoints;
 
 /// Every kernel, for tools that know none by name.
-pub static ALL: [&Kernel; 28] = [
+pub static ALL: [&Kernel; 57] = [
+    &fly_axis::turn_out::KERNEL,
+    &fly_axis::d1_in::KERNEL,
+    &fly_axis::a1_in::KERNEL,
+    &fly_axis::t_in_of_t_out::KERNEL,
+    &fly_axis::v1_diff::KERNEL,
+    &fly_axis::t_add::KERNEL,
+    &fly_axis::overhead::KERNEL,
+    &fly_axis::overhead_of_t_out::KERNEL,
+    &milling_time::direction::KERNEL,
+    &milling_time::step_speed::KERNEL,
+    &milling_time::step_time::KERNEL,
+    &milling_time::constant_acceleration::KERNEL,
+    &milling_time::cut_time::KERNEL,
     &optimum::t_i::KERNEL,
     &optimum::t_o::KERNEL,
+    &optimum::t_in::KERNEL,
+    &optimum::quartic::KERNEL,
+    &overhead::step_limited::KERNEL,
+    &overhead::t_edge::KERNEL,
+    &overhead::v1_diff::KERNEL,
+    &overhead::scan_limited::KERNEL,
+    &overhead::d1_out_gradient::KERNEL,
     &pvt::acceleration_at::KERNEL,
     &pvt::velocity_at::KERNEL,
     &pvt::position_at::KERNEL,
@@ -20,6 +45,7 @@ pub static ALL: [&Kernel; 28] = [
     &pvt::turn_out::KERNEL,
     &pvt::min_jerk_segment::KERNEL,
     &pvt::constant_acceleration::KERNEL,
+    &return_path::asymmetric_return::KERNEL,
     &turnaround::outer_ramp::KERNEL,
     &turnaround::inner_ramp::KERNEL,
     &turnaround::t_in::KERNEL,
@@ -37,4 +63,12 @@ pub static ALL: [&Kernel; 28] = [
     &turnaround::da2_max_dtau::KERNEL,
     &turnaround::dtau_da2_max::KERNEL,
     &turnaround::k_of_t_in::KERNEL,
+    &waypoints::segment_2d::KERNEL,
+    &waypoints::segment_3d::KERNEL,
+    &waypoints::linear::KERNEL,
+    &waypoints::quadratic_linear_quadratic::KERNEL,
+    &waypoints::quadratic_cubic_quadratic_at_rest::KERNEL,
+    &waypoints::quadratic_cubic_quadratic::KERNEL,
+    &waypoints::cubics_at_rest::KERNEL,
+    &waypoints::quartic_cubic_quartic_at_rest::KERNEL,
 ];

@@ -122,3 +122,127 @@ pub fn t_o(
     // factored
     t_i * (v + delta_v) / (t_i * a + delta_v)
 }
+
+/// Time of the ramp in with which both axes turn around in the same time, with no time left at the edge, by the velocities of the scan axis.
+///
+/// ```text
+/// tIn_tE0(v1Scan,v1Diff,a1Max,delta):=positive_root(t^2*(8*(v1Scan-v1Diff)^2+12*v1Diff*(v1Scan-v1Diff)+4*v1Diff^2-3*a1Max^2*delta)+a1Max*t^3*(6*(v1Scan-v1Diff)+4*v1Diff)-12*delta*v1Diff^2-12*a1Max*delta*t*v1Diff+a1Max^2*t^4,t)
+/// ```
+///
+/// Branch: the one positive root; the coefficients of the quartic change sign once, and the root lies below sqrt(3*delta).
+///
+/// # Inputs
+///
+/// - `v1_scan` (`v1Scan`), in m/s: velocity of the scan axis on the line
+/// - `v1_diff` (`v1Diff`), in m/s: what the scan axis loses in the ramp in
+/// - `a1_max` (`a1Max`), in m/s^2: largest acceleration of the scan axis
+/// - `delta` (`delta`), in s^2: step by largest acceleration of the step axis, d2Step/a2Max
+///
+/// # Domain
+///
+/// All inputs are finite; NaN outside of:
+///
+/// - `v1Diff > 0`
+/// - `v1Scan > v1Diff`
+/// - `a1Max > 0`
+/// - `delta > 0`
+/// - `3*a1Max^2*delta >= 2*v1Scan*(v1Scan+v1Diff)`
+///
+/// At the edges: 2*v1Diff/a1Max where 3*a1Max^2*delta = 2*v1Scan*(v1Scan+v1Diff): for a smaller delta the scan axis would have to pass a1Max; tends to sqrt(3*delta) as v1Diff rises to v1Scan.
+///
+/// # Error
+///
+/// - at most 0.51 ulp, barring overflow and underflow, while the terms of each coefficient cancel by less than 2^40
+///
+/// From: second numbering 2, %o259; 4.6.
+#[kernel(
+    family = "optimum",
+    maxima = "tIn_tE0(v1Scan,v1Diff,a1Max,delta):=positive_root(t^2*(8*(v1Scan-v1Diff)^2+12*v1Diff*(v1Scan-v1Diff)+4*v1Diff^2-3*a1Max^2*delta)+a1Max*t^3*(6*(v1Scan-v1Diff)+4*v1Diff)-12*delta*v1Diff^2-12*a1Max*delta*t*v1Diff+a1Max^2*t^4,t)",
+    latex = "t_{\\mathrm{In},\\mathrm{tE},0} = \\operatorname{root}_{t>0}\\left(t^{2}\\,\\left(8\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)^{2}+12\\,v_{1,\\mathrm{Diff}}\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)+4\\,v_{1,\\mathrm{Diff}}^{2}-3\\,a_{1,\\mathrm{Max}}^{2}\\,\\delta\\right)+a_{1,\\mathrm{Max}}\\,t^{3}\\,\\left(6\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)+4\\,v_{1,\\mathrm{Diff}}\\right)-12\\,\\delta\\,v_{1,\\mathrm{Diff}}^{2}-12\\,a_{1,\\mathrm{Max}}\\,\\delta\\,t\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}^{2}\\,t^{4}\\right)",
+    source = "second numbering 2, %o259; 4.6",
+    rules("compensated", "factored", "falling-newton", "known-sum"),
+    bound = 0.51,
+    result(worksheet = "tIn_tE0", unit = "s"),
+)]
+pub fn t_in(
+    #[input(maxima = "v1Scan", unit = "m/s", typical(0.001, 2.0))] v1_scan: f64,
+    #[input(maxima = "v1Diff", unit = "m/s", typical(0.001, 2.0))] v1_diff: f64,
+    #[input(maxima = "a1Max", unit = "m/s^2", typical(5.0, 1000.0))] a1_max: f64,
+    #[input(maxima = "delta", unit = "s^2", typical(1e-7, 0.1))] delta: f64,
+) -> f64 {
+    require!(v1_diff > 0.0, "v1Diff > 0");
+    require!(v1_scan > v1_diff, "v1Scan > v1Diff");
+    require!(a1_max > 0.0, "a1Max > 0");
+    require!(delta > 0.0, "delta > 0");
+    require!(compensated!(3.0 * a1_max * a1_max * delta - 2.0 * v1_scan * (v1_scan + v1_diff)) >= 0.0, "3*a1Max^2*delta >= 2*v1Scan*(v1Scan+v1Diff)");
+    let product = -12.0 * v1_diff;
+    // compensated
+    let cancelling = compensated!(4.0 * v1_scan * (v1_diff - 2.0 * v1_scan) + 3.0 * a1_max * a1_max * delta);
+    let product2 = 2.0 * a1_max;
+    // factored
+    let product3 = product2 * (2.0 * v1_diff + 3.0 * (v1_scan - v1_diff));
+    // falling-newton
+    let start = positive_root([product * v1_diff * delta, product * a1_max * delta, -cancelling, product3, a1_max * a1_max]);
+    let cancelling2 = compensated!(
+        start * (start * (a1_max * (start * (6.0 * v1_scan + (a1_max * start - 2.0 * v1_diff)) - 3.0 * a1_max * delta) + 4.0 * v1_scan * (2.0 * v1_scan - v1_diff)) - 12.0 * v1_diff * a1_max * delta)
+        - 12.0 * v1_diff * v1_diff * delta
+    );
+    // falling-newton
+    start
+        - start * (cancelling2 / (((product2 * a1_max * start + product3) * start * start + 12.0 * v1_diff * a1_max * delta) * start + 24.0 * v1_diff * v1_diff * delta))
+}
+
+/// The positive x of qa*x^4+qb*x^3+qc*x^2 = qd.
+///
+/// ```text
+/// quartic_abcd(qa,qb,qc,qd):=positive_root(qa*x^4+qb*x^3+qc*x^2-qd,x)
+/// ```
+///
+/// Branch: the one positive root; the coefficients change sign once, whatever the sign of qc.
+///
+/// # Inputs
+///
+/// - `qa` (`qa`), in no unit: coefficient of x^4
+/// - `qb` (`qb`), in no unit: coefficient of x^3
+/// - `qc` (`qc`), in no unit: coefficient of x^2
+/// - `qd` (`qd`), in no unit: minus the constant coefficient
+///
+/// # Domain
+///
+/// All inputs are finite; NaN outside of:
+///
+/// - `qa > 0`
+/// - `qb > 0`
+/// - `qd > 0`
+///
+/// At the edges: tends to 0 with qd for qc >= 0, to the positive root of qa*x^2+qb*x+qc for qc < 0.
+///
+/// # Error
+///
+/// - at most 0.51 ulp, barring overflow and underflow, while the terms of each coefficient cancel by less than 2^40
+///
+/// From: second numbering 2, %o262.
+#[kernel(
+    family = "optimum",
+    maxima = "quartic_abcd(qa,qb,qc,qd):=positive_root(qa*x^4+qb*x^3+qc*x^2-qd,x)",
+    latex = "\\mathrm{quartic}_{\\mathrm{abcd}} = \\operatorname{root}_{x>0}\\left(\\mathrm{qa}\\,x^{4}+\\mathrm{qb}\\,x^{3}+\\mathrm{qc}\\,x^{2}-\\mathrm{qd}\\right)",
+    source = "second numbering 2, %o262",
+    rules("falling-newton"),
+    bound = 0.51,
+    result(worksheet = "quartic_abcd", unit = "1"),
+)]
+pub fn quartic(
+    #[input(maxima = "qa", unit = "1", typical(0.001, 1000.0))] qa: f64,
+    #[input(maxima = "qb", unit = "1", typical(0.001, 1000.0))] qb: f64,
+    #[input(maxima = "qc", unit = "1", typical(0.001, 1000.0))] qc: f64,
+    #[input(maxima = "qd", unit = "1", typical(0.001, 1000.0))] qd: f64,
+) -> f64 {
+    require!(qa > 0.0, "qa > 0");
+    require!(qb > 0.0, "qb > 0");
+    require!(qd > 0.0, "qd > 0");
+    // falling-newton
+    let start = positive_root([-qd, 0.0, qc, qb, qa]);
+    let cancelling = compensated!(start * start * (start * (qa * start + qb) + qc) - qd);
+    // falling-newton
+    start - start * (cancelling / ((2.0 * qa * start + qb) * start * start * start + 2.0 * qd))
+}

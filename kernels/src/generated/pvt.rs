@@ -293,10 +293,10 @@ pub fn arrival_first(
     require!(a0 != 0.0 || 2.0 * v0 + v1 > 0.0, "a0 # 0 or v1+2*v0 > 0");
     require!(compensated!(6.0 * a0 * (x1 - x0) + (2.0 * v0 + v1) * (2.0 * v0 + v1)) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
     let sum = 2.0 * v0 + v1;
+    let difference = x1 - x0;
     // compensated, differences-first
     let cancelling = compensated!(6.0 * a0 * (x1 - x0) + (2.0 * v0 + v1) * (2.0 * v0 + v1));
     let root = sqrt(cancelling);
-    let difference = x1 - x0;
     // compensated, differences-first
     let cancelling2 = compensated!(v0 * (v1 - 2.0 * v0) + (v1 * v1 - 3.0 * a0 * (x1 - x0)));
     let difference2 = v1 - v0;
@@ -377,10 +377,10 @@ pub fn arrival_last(
     require!(a0 != 0.0 || 2.0 * v0 + v1 < 0.0, "a0 # 0 or v1+2*v0 < 0");
     require!(compensated!(6.0 * a0 * (x1 - x0) + (2.0 * v0 + v1) * (2.0 * v0 + v1)) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
     let sum = 2.0 * v0 + v1;
+    let difference = x1 - x0;
     // compensated, differences-first
     let cancelling = compensated!(6.0 * a0 * (x1 - x0) + (2.0 * v0 + v1) * (2.0 * v0 + v1));
     let root = sqrt(cancelling);
-    let difference = x1 - x0;
     // compensated, differences-first
     let cancelling2 = compensated!(v0 * (v1 - 2.0 * v0) + (v1 * v1 - 3.0 * a0 * (x1 - x0)));
     let difference2 = v1 - v0;

@@ -3,7 +3,9 @@
 use super::Rule;
 use crate::algebra::{Polynomial, Var};
 use crate::field::TowerError;
+use crate::program::Node;
 use crate::stable::builder::Builder;
+use num_traits::Signed;
 
 /// The rule.
 pub const RULE: Rule = Rule {
@@ -11,6 +13,22 @@ pub const RULE: Rule = Rule {
     statement: "p(x1, x0, ..) = q(x1 - x0, ..)",
     condition: "p(x1 + h, x0 + h, ..) = p(x1, x0, ..) for every h; the difference of two inputs is exact in double-double",
 };
+
+/// The polynomial in plain arithmetic through differences of inputs, if nothing cancels then.
+///
+/// # Errors
+/// When the tower has no room left.
+pub fn apply(builder: &mut Builder, polynomial: &Polynomial) -> Result<Option<Node>, TowerError> {
+    let grouped = group(builder, polynomial)?;
+    if grouped == *polynomial {
+        return Ok(None);
+    }
+    let node = builder.plain(&grouped)?;
+    if let Some(node) = node {
+        builder.apply(&RULE, node);
+    }
+    Ok(node)
+}
 
 /// The polynomial in differences of inputs, each standing in place of the two.
 ///
@@ -26,7 +44,20 @@ pub fn group(builder: &mut Builder, polynomial: &Polynomial) -> Result<Polynomia
             }
         }
     }
-    Ok(grouped)
+    let negative = grouped.terms().iter().all(|term| term.coefficient.is_negative());
+    if negative { turn_differences(builder, &grouped) } else { Ok(grouped) }
+}
+
+/// The polynomial in the opposite differences, so that it does not begin with a minus.
+fn turn_differences(builder: &mut Builder, polynomial: &Polynomial) -> Result<Polynomial, TowerError> {
+    let mut turned = polynomial.clone();
+    for var in polynomial.variables() {
+        if let Some((high, low)) = builder.difference_of(var) {
+            let opposite = builder.difference(low, high)?;
+            turned = turned.substituted(var, &polynomial.ring().variable(opposite).negated());
+        }
+    }
+    Ok(turned)
 }
 
 fn through_difference(

@@ -9,7 +9,7 @@ use crate::stable::builder::{Builder, Factor, Quotient};
 /// The rule.
 pub const RULE: Rule = Rule {
     name: "merge-roots",
-    statement: "sqrt(a)*sqrt(b) = sqrt(a*b), and sqrt(a*b)/a = sqrt(b/a)",
+    statement: "sqrt(a)*sqrt(b) = sqrt(a*b), sqrt(a*b)/a = sqrt(b/a), and sqrt(r)/r = 1/sqrt(r)",
     condition: "a and b are nonnegative; a is positive where it divides",
 };
 
@@ -44,7 +44,8 @@ pub fn apply(
             rest = surd;
         }
     }
-    let moved = move_denominators(builder, &mut inside, &mut quotient);
+    let below = divide_by_radicand(&inside, &mut quotient);
+    let moved = below || move_denominators(builder, &mut inside, &mut quotient);
     if merged > 0 {
         let radicand = builder.assemble(&inside)?;
         let root = builder.graph.sqrt(radicand);
@@ -53,9 +54,27 @@ pub fn apply(
         } else {
             builder.stand_for(radical.var, root);
         }
-        quotient.multiply_node(root, 1);
+        quotient.multiply_node(root, if below { -1 } else { 1 });
     }
     builder.surd(&rest, quotient)
+}
+
+/// Takes a whole radicand out of the denominator, if it is there: `sqrt(r)/r` is `1/sqrt(r)`.
+fn divide_by_radicand(inside: &Quotient, quotient: &mut Quotient) -> bool {
+    let same = |a: &Factor, b: &Factor| matches!((a, b), (Factor::Polynomial(a), Factor::Polynomial(b)) if a == b);
+    let sum = inside.powers.iter().any(|(factor, _)| matches!(factor, Factor::Polynomial(p) if p.len() > 1));
+    let held = |(factor, power): &(Factor, i32)| quotient.powers.iter().any(|(f, e)| same(f, factor) && *e <= -power);
+    if !sum || !inside.powers.iter().all(held) {
+        return false;
+    }
+    for (factor, power) in &inside.powers {
+        if let Some((_, exponent)) = quotient.powers.iter_mut().find(|(f, _)| same(f, factor)) {
+            *exponent += power;
+        }
+    }
+    quotient.constant *= &inside.constant;
+    quotient.powers.retain(|(_, power)| *power != 0);
+    true
 }
 
 /// Takes positive factors that the root shares with the denominator under the root.

@@ -65,6 +65,12 @@ fn eliminate(
     let numerator = rational.times(&b).plus(&surd.times(&offset));
     let denominator = element.denominator.times(&b);
     let mut candidates = vec![(numerator.clone(), denominator.clone())];
+    if a.is_zero() {
+        // u = b*s/c, so a radicand below the bar is (c*u/b)^2
+        if let Some(rest) = denominator.divided_by(&radical.radicand) {
+            candidates.push((numerator.times(&b.power(2)), rest.times(&offset.power(2))));
+        }
+    }
     for (factor, _) in relation.factors().powers {
         if factor.contains(stand_in) && vanishes(&builder.tower, &factor, stand_in, &earlier.element)? {
             candidates.extend(eliminations(&numerator, &denominator, &factor, stand_in));
