@@ -110,6 +110,18 @@ impl Expr {
         }
     }
 
+    /// Whether a power of a sum occurs in it.
+    #[must_use]
+    pub fn has_power_of_sum(&self) -> bool {
+        match self {
+            Self::Rational(_) | Self::Pi | Self::Symbol(_) => false,
+            Self::Sum(items) | Self::Product(items) => items.iter().any(Self::has_power_of_sum),
+            Self::Power(base, _) => matches!(**base, Self::Sum(_)) || base.has_power_of_sum(),
+            Self::Sqrt(base) | Self::Abs(base) => base.has_power_of_sum(),
+            Self::PositiveRoot { polynomial, .. } => polynomial.has_power_of_sum(),
+        }
+    }
+
     /// The derivative by a variable; `None` where an absolute value or a polynomial root depends on it.
     #[must_use]
     pub fn derivative(&self, by: &str) -> Option<Self> {

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use thiserror::Error;
 
 /// How many variables a tower can add to the inputs: square roots, named differences, results, the circle constant.
-const SPARE: usize = 16;
+const SPARE: usize = 48;
 
 /// A square root that the inputs do not contain.
 #[derive(Clone, Debug)]
@@ -198,7 +198,11 @@ impl Tower {
         self.unknown = Some((name.to_owned(), var));
     }
 
-    fn variable(&self, name: &str) -> Result<Var, TowerError> {
+    /// The variable of an input, or of the unknown.
+    ///
+    /// # Errors
+    /// When the name is neither.
+    pub fn variable(&self, name: &str) -> Result<Var, TowerError> {
         match &self.unknown {
             Some((unknown, var)) if unknown == name => Ok(*var),
             _ => {

@@ -1,6 +1,7 @@
 //! Domains: a contract's conditions as steps that decide them, and as facts about signs.
 
 use super::KernelError;
+use super::as_written::wide_as_written;
 use crate::algebra::Polynomial;
 use crate::expression::lower;
 use crate::field::{Sign, TowerError};
@@ -50,6 +51,9 @@ fn learn(builder: &mut Builder, condition: &Contracted, text: &str) -> Result<()
 fn steps(builder: &mut Builder, condition: &Contracted, text: &str) -> Result<Condition, KernelError> {
     match condition {
         Contracted::Compare(comparison) => {
+            if let Some(condition) = as_written(builder, comparison, text)? {
+                return Ok(condition);
+            }
             let (polynomial, order) = normal_form(builder, comparison, text)?;
             decide(builder, &polynomial, order)
                 .map_err(|cause| KernelError::Domain { condition: text.to_owned(), cause })
@@ -72,6 +76,28 @@ fn joined(
         let zero = builder.graph.constant(&BigRational::from_integer(0.into()));
         Condition::Compare(zero, Order::Equal, zero)
     }))
+}
+
+/// A comparison in double-double as the contract writes it, where it holds the square of a sum: expanded, the square would
+/// cancel again what its sum has cancelled already.
+fn as_written(
+    builder: &mut Builder,
+    comparison: &Comparison,
+    text: &str,
+) -> Result<Option<Condition>, KernelError> {
+    let left = lower(&comparison.lhs).map_err(KernelError::Lower)?;
+    let right = lower(&comparison.rhs).map_err(KernelError::Lower)?;
+    if !left.has_power_of_sum() && !right.has_power_of_sum() {
+        return Ok(None);
+    }
+    let order = order_of(comparison.operator);
+    let below = matches!(order, Order::Less | Order::LessOrEqual);
+    let (left, right, order) = if below { (right, left, order.mirrored()) } else { (left, right, order) };
+    let slice = wide_as_written(builder, &left.minus(right))
+        .map_err(|cause| KernelError::Domain { condition: text.to_owned(), cause })?;
+    let Some(slice) = slice else { return Ok(None) };
+    let node = builder.graph.compensated(slice, Sign::ANY);
+    Ok(Some(builder.compare_with_zero(node, order)))
 }
 
 /// A comparison as a polynomial compared with zero, without the factors whose sign is known.

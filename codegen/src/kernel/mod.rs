@@ -1,5 +1,6 @@
 //! Kernels: from a contract and its reference expressions to the text of a kernel, proved equal to them.
 
+mod as_written;
 mod domain;
 mod proof;
 

@@ -318,7 +318,7 @@ impl Builder {
     }
 
     /// An integer of any size as an unevaluated sum of numbers that `f64` holds.
-    fn wide_constant(&mut self, value: &BigRational) -> Wide {
+    pub fn wide_constant(&mut self, value: &BigRational) -> Wide {
         if is_exact(value) {
             return Wide::Leaf(self.graph.constant(value));
         }

@@ -3,17 +3,22 @@
 
 use closedform::Kernel;
 
+pub mod five_segment;
 pub mod fly_axis;
 pub mod milling_time;
 pub mod optimum;
 pub mod overhead;
 pub mod pvt;
 pub mod return_path;
+pub mod step_move;
 pub mod turnaround;
 pub mod waypoints;
 
 /// Every kernel, for tools that know none by name.
-pub static ALL: [&Kernel; 57] = [
+pub static ALL: [&Kernel; 67] = [
+    &five_segment::by_accelerations::KERNEL,
+    &five_segment::ki_without_middle::KERNEL,
+    &five_segment::by_times::KERNEL,
     &fly_axis::turn_out::KERNEL,
     &fly_axis::d1_in::KERNEL,
     &fly_axis::a1_in::KERNEL,
@@ -46,6 +51,13 @@ pub static ALL: [&Kernel; 57] = [
     &pvt::min_jerk_segment::KERNEL,
     &pvt::constant_acceleration::KERNEL,
     &return_path::asymmetric_return::KERNEL,
+    &step_move::ramp_from_rest::KERNEL,
+    &step_move::quarter_move::KERNEL,
+    &step_move::continuous_move::KERNEL,
+    &step_move::symmetric_frame::KERNEL,
+    &step_move::symmetric_frame_step::KERNEL,
+    &step_move::ki_of_t_ie_skip::KERNEL,
+    &step_move::ki_of_v1_diff::KERNEL,
     &turnaround::outer_ramp::KERNEL,
     &turnaround::inner_ramp::KERNEL,
     &turnaround::t_in::KERNEL,

@@ -77,18 +77,17 @@ pub fn step_limited(
     let sum = 5.0 * v1_scan + 4.0 * difference;
     let sum2 = 24.0 * delta + product;
     let root = sqrt(sum2);
-    let product2 = 3.0 * root;
+    let product2 = 3.0 * v1_scan;
     // compensated
     let cancelling = compensated!(
         t_in * t_in * (2.0 * v1_diff - 3.0 * v1_scan) * (3.0 * v1_scan - v1_diff)
         + 27.0 * delta * v1_scan * v1_scan
     );
-    let product3 = 3.0 * v1_scan;
     StepLimited {
-        t_ovr_hd: 2.0 * cancelling / (product3 * (product2 * v1_scan + t_in * sum)),
+        t_ovr_hd: 2.0 * cancelling / (product2 * (product2 * root + t_in * sum)),
         dt_ovr_hd_dt_in: -2.0
             * (product * (2.0 * difference + v1_scan) * (2.0 * v1_scan + difference) + 3.0 * delta * sum * sum)
-            / (product3 * (product2 * t_in * v1_scan + sum2 * sum)),
+            / (product2 * (3.0 * t_in * v1_scan * root + sum2 * sum)),
     }
 }
 
@@ -149,18 +148,18 @@ pub fn t_edge(
     require!(v1_scan > v1_diff, "v1Scan > v1Diff");
     require!(a1_max > 0.0, "a1Max > 0");
     require!(compensated!(t_in * a1_max - 2.0 * v1_diff) >= 0.0, "2*v1Diff <= a1Max*tIn");
-    require!(compensated!(t_in * (t_in * (a1_max * (t_in * (2.0 * (v1_diff - 3.0 * v1_scan) - t_in * a1_max) + 3.0 * delta * a1_max) + 4.0 * v1_scan * (v1_diff - 2.0 * v1_scan)) + 12.0 * delta * v1_diff * a1_max) + 12.0 * delta * v1_diff * v1_diff) >= 0.0, "3*delta*(2*v1Diff+a1Max*tIn)^2 >= tIn^2*(a1Max*tIn+2*v1Scan)*(a1Max*tIn+4*v1Scan-2*v1Diff)");
+    require!(compensated!(3.0 * delta * ((2.0 * v1_diff + a1_max * t_in) * (2.0 * v1_diff + a1_max * t_in)) - t_in * t_in * (a1_max * t_in + 2.0 * v1_scan) * (a1_max * t_in + 4.0 * v1_scan - 2.0 * v1_diff)) >= 0.0, "3*delta*(2*v1Diff+a1Max*tIn)^2 >= tIn^2*(a1Max*tIn+2*v1Scan)*(a1Max*tIn+4*v1Scan-2*v1Diff)");
+    let root = sqrt(24.0 * delta + t_in * t_in);
+    let sum = t_in * a1_max + 2.0 * v1_diff;
     // compensated
     let cancelling = compensated!(
         t_in * (t_in * (a1_max * (t_in * (2.0 * (v1_diff - 3.0 * v1_scan) - t_in * a1_max) + 3.0 * delta * a1_max) + 4.0 * v1_scan * (v1_diff - 2.0 * v1_scan)) + 12.0 * delta * v1_diff * a1_max)
         + 12.0 * delta * v1_diff * v1_diff
     );
-    let root = sqrt(24.0 * delta + t_in * t_in);
-    let sum = t_in * a1_max + 2.0 * v1_diff;
     // factored, conjugate
     4.0
         * cancelling
-        / (sum * (root * sum + t_in * (3.0 * t_in * a1_max + 2.0 * (4.0 * v1_scan - v1_diff))))
+        / (sum * (sum * root + t_in * (3.0 * t_in * a1_max + 2.0 * (4.0 * v1_scan - v1_diff))))
 }
 
 /// What the scan axis has to lose in a ramp in of the time tIn so that it does not rest for the step axis.
@@ -224,7 +223,7 @@ pub fn v1_diff(
     let sum = t_in * a1_max + 2.0 * v1_scan;
     let root = sqrt(24.0 * delta + t_in * t_in);
     // factored, conjugate
-    t_in * cancelling / (root * sum + (t_in * sum + 6.0 * delta * a1_max))
+    t_in * cancelling / (sum * root + (t_in * sum + 6.0 * delta * a1_max))
 }
 
 /// What [`scan_limited`](fn@scan_limited) returns.

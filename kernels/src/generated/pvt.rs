@@ -291,7 +291,7 @@ pub fn arrival_first(
 ) -> ArrivalFirst {
     require!(x1 != x0, "x1 # x0");
     require!(a0 != 0.0 || 2.0 * v0 + v1 > 0.0, "a0 # 0 or v1+2*v0 > 0");
-    require!(compensated!(6.0 * a0 * (x1 - x0) + (2.0 * v0 + v1) * (2.0 * v0 + v1)) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
+    require!(compensated!((v1 + 2.0 * v0) * (v1 + 2.0 * v0) + 6.0 * a0 * (x1 - x0) + 0.0) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
     let sum = 2.0 * v0 + v1;
     let difference = x1 - x0;
     // compensated, differences-first
@@ -305,9 +305,9 @@ pub fn arrival_first(
     ArrivalFirst {
         t1: if sum <= 0.0 { (root - sum) / a0 } else { 6.0 * difference / (root + sum) },
         a1: if (cancelling2 >= 0.0 && difference2 >= 0.0) || (cancelling2 <= 0.0 && difference2 <= 0.0) {
-            (root * difference2 + cancelling2) / (3.0 * difference)
+            (difference2 * root + cancelling2) / (3.0 * difference)
         } else {
-            a0 * cancelling3 / (cancelling2 - difference2 * root)
+            a0 * cancelling3 / ((v0 - v1) * root + cancelling2)
         },
     }
 }
@@ -375,7 +375,7 @@ pub fn arrival_last(
 ) -> ArrivalLast {
     require!(x1 != x0, "x1 # x0");
     require!(a0 != 0.0 || 2.0 * v0 + v1 < 0.0, "a0 # 0 or v1+2*v0 < 0");
-    require!(compensated!(6.0 * a0 * (x1 - x0) + (2.0 * v0 + v1) * (2.0 * v0 + v1)) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
+    require!(compensated!((v1 + 2.0 * v0) * (v1 + 2.0 * v0) + 6.0 * a0 * (x1 - x0) + 0.0) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
     let sum = 2.0 * v0 + v1;
     let difference = x1 - x0;
     // compensated, differences-first
@@ -383,16 +383,15 @@ pub fn arrival_last(
     let root = sqrt(cancelling);
     // compensated, differences-first
     let cancelling2 = compensated!(v0 * (v1 - 2.0 * v0) + (v1 * v1 - 3.0 * a0 * (x1 - x0)));
-    let difference2 = v1 - v0;
-    let difference3 = v0 - v1;
+    let difference2 = v0 - v1;
     // compensated, differences-first
     let cancelling3 = compensated!(3.0 * a0 * (x1 - x0) + 2.0 * (v0 - v1) * (2.0 * v1 + v0));
     ArrivalLast {
         t1: if sum >= 0.0 { -(root + sum) / a0 } else { -6.0 * difference / (root - sum) },
-        a1: if (cancelling2 >= 0.0 && difference3 >= 0.0) || (cancelling2 <= 0.0 && difference3 <= 0.0) {
-            (cancelling2 - difference2 * root) / (3.0 * difference)
+        a1: if (cancelling2 >= 0.0 && difference2 >= 0.0) || (cancelling2 <= 0.0 && difference2 <= 0.0) {
+            (difference2 * root + cancelling2) / (3.0 * difference)
         } else {
-            a0 * cancelling3 / (root * difference2 + cancelling2)
+            a0 * cancelling3 / ((v1 - v0) * root + cancelling2)
         },
     }
 }

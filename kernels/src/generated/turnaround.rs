@@ -551,19 +551,19 @@ pub fn tau_of_t_in(
     require!(t_in > 0.0, "tIn > 0");
     require!(t_ef_skip >= 0.0, "tEFSkip >= 0");
     require!(delta > 0.0, "delta > 0");
-    require!(compensated!(3.0 * t_ef_skip - 2.0 * t_in) > 0.0 || compensated!(12.0 * delta - (3.0 * t_ef_skip - 2.0 * t_in) * (3.0 * t_ef_skip - 2.0 * t_in)) > 0.0, "2*tIn < 3*tEFSkip or 12*delta > (2*tIn-3*tEFSkip)^2");
+    require!(compensated!(3.0 * t_ef_skip - 2.0 * t_in) > 0.0 || compensated!(12.0 * delta - (2.0 * t_in - 3.0 * t_ef_skip) * (2.0 * t_in - 3.0 * t_ef_skip)) > 0.0, "2*tIn < 3*tEFSkip or 12*delta > (2*tIn-3*tEFSkip)^2");
     // compensated
     let cancelling = compensated!(3.0 * t_ef_skip - 2.0 * t_in);
     // compensated
-    let cancelling2 = compensated!(12.0 * delta - (3.0 * t_ef_skip - 2.0 * t_in) * (3.0 * t_ef_skip - 2.0 * t_in));
+    let cancelling2 = compensated!(96.0 * delta + (3.0 * t_ef_skip - 2.0 * t_in) * (3.0 * t_ef_skip - 2.0 * t_in));
+    let root = sqrt(cancelling2);
     // compensated
-    let cancelling3 = compensated!(96.0 * delta + (3.0 * t_ef_skip - 2.0 * t_in) * (3.0 * t_ef_skip - 2.0 * t_in));
-    let root = sqrt(cancelling3);
+    let cancelling3 = compensated!(12.0 * delta - (3.0 * t_ef_skip - 2.0 * t_in) * (3.0 * t_ef_skip - 2.0 * t_in));
     // sign-branch
     if cancelling >= 0.0 {
         0.0625 * (root + 3.0 * cancelling)
     } else {
-        0.5 * cancelling2 / (root + -3.0 * cancelling)
+        0.5 * cancelling3 / (root + -3.0 * cancelling)
     }
 }
 
@@ -987,5 +987,5 @@ pub fn k_of_t_in(
     // compensated
     let cancelling3 = compensated!(4.0 * delta - t_in * t_ef_skip);
     // factored
-    t_in * t_in * (root * t_ef_skip + cancelling) / (12.0 * delta * cancelling3)
+    t_in * t_in * (t_ef_skip * root + cancelling) / (12.0 * delta * cancelling3)
 }

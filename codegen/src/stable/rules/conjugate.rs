@@ -92,10 +92,8 @@ fn sum_of_one_sign(
 ) -> Result<Node, TowerError> {
     let (rational, surd) = parts(sum, radical.var);
     let a = builder.surd(&rational, Quotient::one())?;
-    let root = builder.variable(radical.var)?;
-    let mut product = Quotient::one();
-    product.multiply_node(root, 1);
-    let b = builder.surd(&surd, product)?;
+    let root = builder.tower.ring().variable(radical.var);
+    let b = builder.surd(&surd.times(&root), Quotient::one())?;
     let node = builder.graph.add(b, a);
     let error = builder.graph.error(a).max(builder.graph.error(b)) + 1.0;
     Ok(builder.graph.with_error(node, sign, error))

@@ -26,14 +26,14 @@ pub fn apply(
     let mut inside = Quotient::one();
     let mut rest = surd.clone();
     let mut next = Some(radical.clone());
-    let mut merged = 0;
+    let mut merged = Vec::new();
     while let Some(root) = next {
         if builder.tower.top_radical(&root.radicand).is_some() {
             let node = builder.variable(root.var)?;
             quotient.multiply_node(node, 1);
         } else {
             inside.multiply(&root.radicand, 1);
-            merged += 1;
+            merged.push(root.var);
         }
         next = builder.tower.top_radical(&rest).cloned();
         if let Some(root) = &next {
@@ -46,14 +46,13 @@ pub fn apply(
     }
     let below = divide_by_radicand(&inside, &mut quotient);
     let moved = below || move_denominators(builder, &mut inside, &mut quotient);
-    if merged > 0 {
+    if let ([var], false) = (merged.as_slice(), moved) {
+        let root = builder.variable(*var)?;
+        quotient.multiply_node(root, 1);
+    } else if !merged.is_empty() {
         let radicand = builder.assemble(&inside)?;
         let root = builder.graph.sqrt(radicand);
-        if merged > 1 || moved {
-            builder.apply(&RULE, root);
-        } else {
-            builder.stand_for(radical.var, root);
-        }
+        builder.apply(&RULE, root);
         quotient.multiply_node(root, if below { -1 } else { 1 });
     }
     builder.surd(&rest, quotient)

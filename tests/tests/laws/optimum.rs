@@ -1,0 +1,57 @@
+//! Laws of the turn-around in which both axes take the same time.
+
+use closedform_tests::kernels::judge_of;
+
+use crate::demand;
+
+#[test]
+fn the_optimum_solves_both_axes() {
+    demand(
+        "optimum::t_i",
+        &["t_i"],
+        &[
+            "8*t_i^2*(v+Delta)^2+6*t_i^2*(v+Delta)*(a*t_i+Delta)+(t_i^2-3*delta)*(a*t_i+Delta)^2 = 0",
+            "(t_i+3*t_i*(v+Delta)/(a*t_i+Delta))^2 = (t_i*(v+Delta)/(a*t_i+Delta))^2+3*delta",
+            "t_i > 0",
+        ],
+    );
+    demand("optimum::t_o", &["t_o"], &["t_o*(a*t_i+Delta) = t_i*(v+Delta)", "t_o > 0"]);
+}
+
+#[test]
+fn the_optimum_of_the_seed_is_found() {
+    // The seed prints these digits, and not the next ones.
+    let t_i = judge_of("optimum::t_i").actual(&[500.0, 0.5, 0.001, 0.001])[0];
+    assert!(format!("{t_i:.20}").starts_with("0.0517755356486726"), "{t_i}");
+}
+
+#[test]
+fn the_optimum_in_variables_of_the_worksheet_solves_both_axes() {
+    demand(
+        "optimum::t_in",
+        &["tIn"],
+        &[
+            "8*tIn^2*(v1Scan-v1Diff)^2+6*tIn^2*(v1Scan-v1Diff)*(a1Max*tIn+2*v1Diff) \
+         +(tIn^2-3*delta)*(a1Max*tIn+2*v1Diff)^2 = 0",
+            "(tIn+3*tIn*(v1Scan-v1Diff)/(a1Max*tIn+2*v1Diff))^2 \
+         = (tIn*(v1Scan-v1Diff)/(a1Max*tIn+2*v1Diff))^2+3*delta",
+            "tIn > 0",
+            // To rounding: it loses 2*v1Diff at no more than a1Max, in less than the ramps in alone would take.
+            "1000000001*a1Max*tIn >= 2000000000*v1Diff and 1000000000*tIn^2 <= 3000000001*delta",
+        ],
+    );
+}
+
+#[test]
+fn the_quartic_is_solved() {
+    // Below the root the quartic is negative, above it is positive.
+    demand(
+        "optimum::quartic",
+        &["x"],
+        &[
+            "qa*x^4+qb*x^3+qc*x^2 = qd",
+            "x > 0",
+            "qa*(2*x)^4+qb*(2*x)^3+qc*(2*x)^2 > qd and qa*(x/2)^4+qb*(x/2)^3+qc*(x/2)^2 < qd",
+        ],
+    );
+}

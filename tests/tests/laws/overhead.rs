@@ -1,0 +1,85 @@
+//! Laws of the overhead of both axes together.
+//!
+//! The step axis closes on its step: (2*tau+tIn)*(4*tau+tIn) = 3*delta with tau = tOut/2+tEdge/4. The scan axis comes to
+//! rest: (2*v1Diff/tIn+a1Max)*tOut = 2*(v1Scan-v1Diff). Its ramp adds tIn*v1Diff/(3*v1Scan).
+
+use crate::{demand, demand_inverse};
+
+#[test]
+fn the_step_axis_closes_on_its_step() {
+    // By 2*tau = tOvrHd-tAdd; its derivative by tIn differentiates the condition as it stands.
+    demand(
+        "overhead::step_limited",
+        &["tOvrHd", "slope"],
+        &[
+            "(tOvrHd-tIn*v1Diff/(3*v1Scan)+tIn)*(2*(tOvrHd-tIn*v1Diff/(3*v1Scan))+tIn) = 3*delta",
+            "(slope-v1Diff/(3*v1Scan)+1)*(2*(tOvrHd-tIn*v1Diff/(3*v1Scan))+tIn) \
+         +(tOvrHd-tIn*v1Diff/(3*v1Scan)+tIn)*(2*(slope-v1Diff/(3*v1Scan))+1) = 0",
+            "tOvrHd >= 0 and slope < 0",
+            "3*slope < -1",
+        ],
+    );
+}
+
+#[test]
+fn the_rest_at_the_edge_closes_both_axes() {
+    demand(
+        "overhead::t_edge",
+        &["tEdge"],
+        &[
+            "(2*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn)+tEdge/2+tIn) \
+         *(4*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn)+tEdge+tIn) = 3*delta",
+            "tEdge >= 0",
+        ],
+    );
+    demand(
+        "overhead::v1_diff",
+        &["v1Diff"],
+        &[
+            "(2*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn)+tIn)*(4*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn)+tIn) = 3*delta",
+            "v1Diff >= 0",
+            // To rounding: no deceleration beyond a1Max, and no more lost than there is.
+            "2000000000*v1Diff <= 1000000001*a1Max*tIn and 1000000000*v1Diff <= 1000000001*v1Scan",
+        ],
+    );
+}
+
+#[test]
+fn without_rest_the_ramp_and_its_loss_undo_each_other() {
+    demand_inverse(("overhead::v1_diff", "v1Diff"), ("optimum::t_in", "tIn"), &[]);
+    demand_inverse(("optimum::t_in", "tIn"), ("overhead::v1_diff", "v1Diff"), &[]);
+}
+
+#[test]
+fn the_scan_axis_comes_to_rest() {
+    // By tOut = tOvrHd-tAdd; its derivative by tIn differentiates the condition times tIn.
+    demand(
+        "overhead::scan_limited",
+        &["tOvrHd", "slope"],
+        &[
+            "(2*v1Diff/tIn+a1Max)*(tOvrHd-tIn*v1Diff/(3*v1Scan)) = 2*(v1Scan-v1Diff)",
+            "a1Max*(tOvrHd-tIn*v1Diff/(3*v1Scan))+(2*v1Diff+a1Max*tIn)*(slope-v1Diff/(3*v1Scan)) = 2*(v1Scan-v1Diff)",
+            "tOvrHd > 0 and slope >= 0",
+            "v1Diff = 0 or slope > 0",
+        ],
+    );
+}
+
+#[test]
+fn the_gradient_is_that_of_the_distance_of_the_turn() {
+    // 6*d1Out = 2*(v1Scan-v1Diff)*tOut+a1Max*tOut^2, the end of the turn at -a1Max, differentiated with tOut, and
+    // (2*v1Diff+a1Max*tIn)*tOut = 2*tIn*(v1Scan-v1Diff), the rest at its end, for the derivatives of tOut.
+    demand(
+        "overhead::d1_out_gradient",
+        &["byDiff", "byIn"],
+        &[
+            "6*byDiff+2*(2*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn)) \
+         = (2*(v1Scan-v1Diff)+2*a1Max*(2*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn))) \
+         *(-2*tIn-2*(2*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn)))/(2*v1Diff+a1Max*tIn)",
+            "6*byIn = (2*(v1Scan-v1Diff)+2*a1Max*(2*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn))) \
+         *(2*(v1Scan-v1Diff)-a1Max*(2*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn)))/(2*v1Diff+a1Max*tIn)",
+            "byDiff < 0 and byIn >= 0",
+            "v1Diff = 0 or byIn > 0",
+        ],
+    );
+}

@@ -1,0 +1,44 @@
+//! Laws of the asymmetric way back of the scan axis.
+
+use crate::demand;
+
+const RESULTS: [&str; 5] = ["a2", "tEdge1", "d1Edge1", "d1Edge2", "v1Edge2"];
+
+#[test]
+fn the_way_back_closes_its_three_segments() {
+    // Two equations a segment: where it ends, and how fast. The first ends with 0+(a1Max-a1Max)*tEdge1/2 = 0.
+    demand(
+        "return_path::asymmetric_return",
+        &RESULTS,
+        &[
+            "d1Edge1 = 0*tEdge1+(2*a1Max-a1Max)*tEdge1^2/6",
+            "d1Edge2 = 0*(tEdge-tEdge1)+(2*(-a1Max)+a2)*(tEdge-tEdge1)^2/6",
+            "v1Edge2 = 0+(-a1Max+a2)*(tEdge-tEdge1)/2",
+            "d1Out-d1Edge1-d1Edge2 = v1Edge2*tOut+(2*a2+a3)*tOut^2/6",
+            "v3 = v1Edge2+(a2+a3)*tOut/2",
+        ],
+    );
+}
+
+#[test]
+fn the_accelerations_alone_make_the_whole_way() {
+    // The accelerations of the three segments, integrated once and twice over all the time, tEdge+tOut.
+    demand(
+        "return_path::asymmetric_return",
+        &RESULTS,
+        &[
+            "v3 = (a1Max-a1Max)*tEdge1/2+(-a1Max+a2)*(tEdge-tEdge1)/2+(a2+a3)*tOut/2",
+            "d1Out = a1Max*tEdge1^2/6+(-2*a1Max+a2)*(tEdge-tEdge1)^2/6 \
+         +(-a1Max+a2)*(tEdge-tEdge1)/2*tOut+(2*a2+a3)*tOut^2/6",
+        ],
+    );
+}
+
+#[test]
+fn the_first_segment_takes_a_part_of_the_time() {
+    demand(
+        "return_path::asymmetric_return",
+        &RESULTS,
+        &["tEdge1 > 0 and d1Edge1 > 0", "1000000000*tEdge1 <= 1000000001*tEdge"],
+    );
+}

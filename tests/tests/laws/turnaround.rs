@@ -1,0 +1,117 @@
+//! Laws of the turn-around of the step axis.
+
+use crate::{demand, demand_inverse};
+
+#[test]
+fn outer_and_inner_ramps_close_the_move() {
+    let laws = [
+        "a0*t0^2/3+2*(a0*t0/2*t3+a0*t3^2/3)+t2*a0*(t0+t3)/2 = DeltaX",
+        "v0 = a0*t0/2",
+        "k*(t0+t3)*(t0+2*t3) = t0^2",
+        "t0 > 0 and t3 > 0 and v0 > 0 and k > 0",
+    ];
+    demand("turnaround::outer_ramp", &["t0", "v0", "k"], &laws);
+    demand("turnaround::inner_ramp", &["t3", "v0", "k"], &laws);
+}
+
+#[test]
+fn ramps_close_on_the_step() {
+    demand(
+        "turnaround::t_in",
+        &["tIn"],
+        &[
+            "2*a2Max*tIn^2/6+2*(a2Max*tIn/2*tOut+a2Max*tOut^2/3)+tEdgeTotal*(a2Max*tIn/2+a2Max*tOut/2) = d2Step",
+            "tIn > 0",
+        ],
+    );
+    demand(
+        "turnaround::ramp_in",
+        &["d2_in", "v2_in"],
+        &["d2_in = a2Max*tIn^2/6", "v2_in = a2Max*tIn/2", "d2_in > 0 and v2_in > 0"],
+    );
+    demand(
+        "turnaround::ramp_out",
+        &["d2_out", "v2_out"],
+        &[
+            "d2_out = a2Max*tIn/2*tOut+a2Max*tOut^2/2-a2Max*tOut^2/6",
+            "v2_out = a2Max*tIn/2+a2Max*tOut/2",
+            "d2_out >= 0 and v2_out > 0",
+        ],
+    );
+}
+
+#[test]
+fn a_ramp_in_travels_its_distance() {
+    demand("turnaround::t_in_of_d2_in", &["tIn"], &["a2Max*tIn^2/6 = d2In", "tIn > 0"]);
+    demand("turnaround::a2_max_of_d2_in", &["a2Max"], &["a2Max*tIn^2/6 = d2In", "a2Max > 0"]);
+}
+
+#[test]
+fn tau_and_delta_solve_the_turn_around() {
+    let squared = "(tIn+3*tau-3*tEFSkip/2)^2 = tau^2+3*delta";
+    demand(
+        "turnaround::t_in_of_tau",
+        &["tIn"],
+        &["(tIn+3*tau-3*tEFSkip/2)^2 = tau^2+3*delta", "tIn > 0 and 2*tIn+6*tau-3*tEFSkip >= 0"],
+    );
+    demand("turnaround::tau_of_t_in", &["tau"], &[squared, "tau > 0 and 2*tIn+6*tau-3*tEFSkip >= 0"]);
+    demand("turnaround::tau_without_skip", &["tau"], &["(tIn+3*tau)^2 = tau^2+3*delta", "tau > 0"]);
+    demand("turnaround::delta_of_tau", &["delta"], &[squared, "delta > 0"]);
+    demand(
+        "turnaround::delta_of_t_edge",
+        &["delta"],
+        &["tIn^2/3+tIn*(tOut+tEdge/2)+2*(tOut+tEdge/2)^2/3+tEFSkip*(tIn+tOut+tEdge/2)/2 = delta", "delta > 0"],
+    );
+    demand(
+        "turnaround::t_edge_of_t_in",
+        &["tEdge"],
+        &["tIn^2/3+tIn*(tOut+tEdge/2)+2*(tOut+tEdge/2)^2/3 = delta", "tEdge >= 0"],
+    );
+}
+
+#[test]
+fn largest_acceleration_makes_the_step() {
+    demand("turnaround::a2_max_of_tau", &["a2Max"], &["a2Max*((tIn+3*tau)^2-tau^2) = 3*d2Step", "a2Max > 0"]);
+    demand(
+        "turnaround::da2_max_dtau",
+        &["slope"],
+        &["slope*((tIn+3*tau)^2-tau^2)^2 = -3*d2Step*(6*(tIn+3*tau)-2*tau)", "slope < 0"],
+    );
+    demand(
+        "turnaround::dtau_da2_max",
+        &["slope"],
+        &[
+            "-3*slope*d2Step*(6*(tIn+3*(tOut/2+tEdge/4))-2*(tOut/2+tEdge/4)) \
+         = ((tIn+3*(tOut/2+tEdge/4))^2-(tOut/2+tEdge/4)^2)^2",
+            "slope < 0",
+        ],
+    );
+}
+
+#[test]
+fn the_share_of_the_ramps_in_is_by_their_times() {
+    demand(
+        "turnaround::k_of_t_in",
+        &["K"],
+        &[
+            "K*(tIn+positive_root(2*T^2/3+(tIn+tEFSkip/2)*T+tIn^2/3+tEFSkip*tIn/2-delta,T)) \
+         *(tIn+2*positive_root(2*T^2/3+(tIn+tEFSkip/2)*T+tIn^2/3+tEFSkip*tIn/2-delta,T)) = tIn^2",
+            "K > 0",
+        ],
+    );
+}
+
+#[test]
+fn tau_and_delta_undo_each_other() {
+    demand_inverse(("turnaround::tau_of_t_in", "tau"), ("turnaround::delta_of_tau", "delta"), &[]);
+    demand_inverse(("turnaround::tau_of_t_in", "tau"), ("turnaround::t_in_of_tau", "tIn"), &[]);
+    demand_inverse(("turnaround::delta_of_tau", "delta"), ("turnaround::tau_of_t_in", "tau"), &[]);
+    demand_inverse(("turnaround::tau_without_skip", "tau"), ("turnaround::delta_of_tau", "delta"), &[("tEFSkip", 0.0)]);
+    demand_inverse(
+        ("turnaround::t_edge_of_t_in", "tEdge"),
+        ("turnaround::delta_of_t_edge", "delta"),
+        &[("tEFSkip", 0.0)],
+    );
+    demand_inverse(("turnaround::t_in_of_d2_in", "tIn"), ("turnaround::a2_max_of_d2_in", "a2Max"), &[]);
+    demand_inverse(("turnaround::a2_max_of_d2_in", "a2Max"), ("turnaround::t_in_of_d2_in", "tIn"), &[]);
+}

@@ -1,0 +1,172 @@
+//! Laws of three polynomials through four points.
+//!
+//! Segment i is `c<i>0+c<i>1*t+c<i>2*t^2+..` from t = 0 to t<i>.
+
+use closedform_tests::kernels::judge_of;
+use closedform_tests::random::{Random, seed};
+use closedform_tests::ulp::{self, F64};
+use rug::Float;
+
+use crate::demand;
+
+#[test]
+fn a_segment_is_as_long_as_pythagoras_says() {
+    demand(
+        "waypoints::segment_2d",
+        &["length", "time"],
+        &["length^2 = (x1-x0)^2+(y1-y0)^2", "time*v = length", "length >= 0 and time >= 0"],
+    );
+    demand(
+        "waypoints::segment_3d",
+        &["length", "time"],
+        &["length^2 = (x1-x0)^2+(y1-y0)^2+(z1-z0)^2", "time*v = length", "length >= 0 and time >= 0"],
+    );
+}
+
+/// That each segment starts at its point.
+const STARTS: [&str; 3] = ["c00 = P0", "c10 = P1", "c20 = P2"];
+
+/// Problem (a).
+#[test]
+fn linear_segments_meet_the_points() {
+    let kernel = "waypoints::linear";
+    let results = ["c00", "c10", "c20", "c01", "c11", "c21"];
+    demand(kernel, &results, &STARTS);
+    demand(kernel, &results, &["c00+c01*t0 = P1", "c10+c11*t1 = P2", "c20+c21*t2 = P3"]);
+}
+
+/// Problem (b).
+#[test]
+fn velocity_is_continuous() {
+    let kernel = "waypoints::quadratic_linear_quadratic";
+    let results = ["c00", "c10", "c20", "c11", "c21", "c01", "c02", "c22"];
+    demand(kernel, &results, &STARTS);
+    demand(kernel, &results, &["c00+c01*t0+c02*t0^2 = P1", "c10+c11*t1 = P2", "c20+c21*t2+c22*t2^2 = P3"]);
+    demand(kernel, &results, &["c01+2*c02*t0 = c11", "c11 = c21"]);
+}
+
+/// Problem (c).
+#[test]
+fn velocity_is_continuous_from_rest_to_rest() {
+    let kernel = "waypoints::quadratic_cubic_quadratic_at_rest";
+    let results = ["c00", "c10", "c20", "c01", "c02", "c11", "c21", "c22", "c12", "c13"];
+    demand(kernel, &results, &STARTS);
+    demand(
+        kernel,
+        &results,
+        &["c00+c01*t0+c02*t0^2 = P1", "c10+c11*t1+c12*t1^2+c13*t1^3 = P2", "c20+c21*t2+c22*t2^2 = P3"],
+    );
+    demand(kernel, &results, &["c01+2*c02*t0 = c11", "c11+2*c12*t1+3*c13*t1^2 = c21"]);
+    demand(kernel, &results, &["c01 = 0", "c21+2*c22*t2 = 0"]);
+}
+
+/// Problem (d).
+#[test]
+fn acceleration_is_continuous() {
+    let kernel = "waypoints::quadratic_cubic_quadratic";
+    let results = ["c00", "c10", "c20", "c02", "c12", "c22", "c01", "c11", "c21", "c13"];
+    demand(kernel, &results, &STARTS);
+    demand(
+        kernel,
+        &results,
+        &["c00+c01*t0+c02*t0^2 = P1", "c10+c11*t1+c12*t1^2+c13*t1^3 = P2", "c20+c21*t2+c22*t2^2 = P3"],
+    );
+    demand(
+        kernel,
+        &results,
+        &["c01+2*c02*t0 = c11", "c11+2*c12*t1+3*c13*t1^2 = c21", "2*c02 = 2*c12", "2*c12+6*c13*t1 = 2*c22"],
+    );
+}
+
+/// Problem (e).
+#[test]
+fn acceleration_is_continuous_from_rest_to_rest() {
+    let kernel = "waypoints::cubics_at_rest";
+    let results = ["c00", "c10", "c20", "c01", "c11", "c21", "c02", "c12", "c22", "c03", "c13", "c23"];
+    demand(kernel, &results, &STARTS);
+    demand(
+        kernel,
+        &results,
+        &[
+            "c00+c01*t0+c02*t0^2+c03*t0^3 = P1",
+            "c10+c11*t1+c12*t1^2+c13*t1^3 = P2",
+            "c20+c21*t2+c22*t2^2+c23*t2^3 = P3",
+        ],
+    );
+    demand(
+        kernel,
+        &results,
+        &[
+            "c01+2*c02*t0+3*c03*t0^2 = c11",
+            "c11+2*c12*t1+3*c13*t1^2 = c21",
+            "2*c02+6*c03*t0 = 2*c12",
+            "2*c12+6*c13*t1 = 2*c22",
+        ],
+    );
+    demand(kernel, &results, &["c01 = 0", "c21+2*c22*t2+3*c23*t2^2 = 0"]);
+}
+
+/// Problem (f).
+#[test]
+fn acceleration_is_continuous_and_none_at_both_ends() {
+    let kernel = "waypoints::quartic_cubic_quartic_at_rest";
+    let results = ["c00", "c10", "c20", "c01", "c02", "c11", "c21", "c12", "c22", "c03", "c13", "c23", "c04", "c24"];
+    demand(kernel, &results, &STARTS);
+    demand(
+        kernel,
+        &results,
+        &[
+            "c00+c01*t0+c02*t0^2+c03*t0^3+c04*t0^4 = P1",
+            "c10+c11*t1+c12*t1^2+c13*t1^3 = P2",
+            "c20+c21*t2+c22*t2^2+c23*t2^3+c24*t2^4 = P3",
+        ],
+    );
+    demand(
+        kernel,
+        &results,
+        &[
+            "c01+2*c02*t0+3*c03*t0^2+4*c04*t0^3 = c11",
+            "c11+2*c12*t1+3*c13*t1^2 = c21",
+            "2*c02+6*c03*t0+12*c04*t0^2 = 2*c12",
+            "2*c12+6*c13*t1 = 2*c22",
+        ],
+    );
+    demand(
+        kernel,
+        &results,
+        &["c01 = 0", "c21+2*c22*t2+3*c23*t2^2+4*c24*t2^3 = 0", "2*c02 = 0", "2*c22+6*c23*t2+12*c24*t2^2 = 0"],
+    );
+}
+
+/// Points of uniform motion, all of them and their differences exact: the inputs and the velocity.
+fn uniform(random: &mut Random) -> ([f64; 7], f64) {
+    let mut whole = |below: usize| random.below(below) as f64;
+    let (start, velocity) = (whole(2_000) - 1_000.0, (whole(2_000) - 1_000.0) / 16.0);
+    let times = [1.0 + whole(500), 1.0 + whole(500), 1.0 + whole(500)].map(|time| time / 8.0);
+    let [one, two, three] =
+        [times[0], times[0] + times[1], times[0] + times[1] + times[2]].map(|t| start + velocity * t);
+    ([start, one, two, three, times[0], times[1], times[2]], velocity)
+}
+
+#[test]
+fn uniform_motion_is_reproduced() {
+    for name in ["linear", "quadratic_linear_quadratic", "quadratic_cubic_quadratic"] {
+        let judge = judge_of(&format!("waypoints::{name}"));
+        let mut random = Random::new(seed(), name);
+        for _ in 0..1_000 {
+            let (inputs, velocity) = uniform(&mut random);
+            let results = judge.kernel.info.results.iter().zip(judge.actual(&inputs)).enumerate();
+            for (position, (result, actual)) in results {
+                let expected = match result.name {
+                    "c00" => inputs[0],
+                    "c10" => inputs[1],
+                    "c20" => inputs[2],
+                    "c01" | "c11" | "c21" => velocity,
+                    _ => 0.0,
+                };
+                let off = ulp::distance(actual, &Float::with_val(53, expected), F64);
+                assert!(off <= judge.bound(position), "{name}, {}: {actual}, not {expected}: {inputs:?}", result.name);
+            }
+        }
+    }
+}
