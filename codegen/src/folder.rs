@@ -47,7 +47,10 @@ pub fn compare(folder: &Path, files: &BTreeMap<String, String>) -> io::Result<Ve
 
 fn diff(name: &str, old: &str, new: &str) -> String {
     let diff = TextDiff::from_lines(old, new);
-    diff.unified_diff().context_radius(2).header(&format!("{name} (checked in)"), &format!("{name} (regenerated)")).to_string()
+    diff.unified_diff()
+        .context_radius(2)
+        .header(&format!("{name} (checked in)"), &format!("{name} (regenerated)"))
+        .to_string()
 }
 
 fn read(folder: &Path) -> io::Result<BTreeMap<String, String>> {

@@ -46,7 +46,9 @@ pub enum PipelineError {
         cause: KernelError,
     },
     /// A domain without points.
-    #[error("kernel `{kernel}` has an empty domain: {cause}\ncorrect the conditions, or the `typical` magnitudes of its inputs")]
+    #[error(
+        "kernel `{kernel}` has an empty domain: {cause}\ncorrect the conditions, or the `typical` magnitudes of its inputs"
+    )]
     Empty {
         /// `family::name`
         kernel: String,

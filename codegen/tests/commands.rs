@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{closedform, edit, fails, project, repository, succeeds, turn};
+use common::{closedform, closedform_waiting, edit, fails, failure, project, repository, succeeds, turn};
 use std::collections::BTreeMap;
 use std::fs::{self, OpenOptions};
 use std::path::Path;
@@ -90,7 +90,10 @@ fn a_second_command_at_the_same_time_is_told_to_wait() {
     let path = std::env::temp_dir().join("closedform-symbolica.lock");
     let lock = OpenOptions::new().create(true).truncate(false).write(true).open(path).unwrap();
     lock.lock().unwrap();
-    refuses(project.path(), &["generate"], &["another closedform command", "wait"]);
+    let before = kernels(project.path());
+    let said = failure(&closedform_waiting(project.path(), &["generate"], 0), &["generate"]);
+    assert!(said.contains("another closedform command") && said.contains("wait"), "{said}");
+    assert_eq!(before, kernels(project.path()));
 }
 
 #[test]
@@ -121,7 +124,11 @@ fn a_missing_variable_in_a_contract_is_named() {
 fn an_empty_domain_is_shown() {
     let _turn = turn();
     let project = project();
-    edit(&project.path().join("maxima-ref/pvt.toml"), r#"domain = ["v0 > 0", "a1 < 0"]"#, r#"domain = ["v0 > 0", "v0 < 0", "a1 < 0"]"#);
+    edit(
+        &project.path().join("maxima-ref/pvt.toml"),
+        r#"domain = ["v0 > 0", "a1 < 0"]"#,
+        r#"domain = ["v0 > 0", "v0 < 0", "a1 < 0"]"#,
+    );
     refuses(project.path(), &["generate"], &["turn_out", "v0 < 0"]);
 }
 

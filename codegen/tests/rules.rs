@@ -33,7 +33,12 @@ fn every_rule_keeps_digits_that_the_plain_form_loses() {
     let (_folder, catalogue) = generated();
     for rule in ALL {
         let entry = catalogue.find(&format!("needs_{}", rule.name.replace('-', "_"))).unwrap();
-        assert!(entry.kernel.meta.rules.iter().any(|name| name == rule.name), "{} is not made by {}", entry.name, rule.name);
+        assert!(
+            entry.kernel.meta.rules.iter().any(|name| name == rule.name),
+            "{} is not made by {}",
+            entry.name,
+            rule.name
+        );
         let points = points(entry);
         let reference = Reference::of(&entry.kernel).unwrap();
         let measured = measure(&entry.kernel, &reference, &points, || ()).unwrap();
@@ -54,7 +59,9 @@ fn hurting(rule: &str) -> Vec<Vec<f64>> {
     match rule {
         "needs_compensated" => vec![vec![1.0 + power(-17) + power(-40), 1.0 - power(-17), 1.0, 1.0]],
         "needs_conjugate" => vec![vec![1e12]],
-        "needs_differences_first" => vec![vec![1.0, 1.0 + power(-27), 3.0 * power(-27) / 0.7 * (1.0 + power(-20)), 0.7]],
+        "needs_differences_first" => {
+            vec![vec![1.0, 1.0 + power(-27), 3.0 * power(-27) / 0.7 * (1.0 + power(-20)), 0.7]]
+        }
         _ => Vec::new(),
     }
 }

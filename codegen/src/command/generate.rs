@@ -1,7 +1,7 @@
 //! `closedform generate`: references to kernels, proved and measured; or a worksheet of one's own to a crate of its own.
 
+use super::verify::worst_of_all;
 use super::{output, readme};
-use super::verify::worst_of;
 use crate::catalogue::Catalogue;
 use crate::pipeline::Made;
 use crate::worker::{self, Source};
@@ -20,7 +20,7 @@ pub struct Args {
     /// The folder of that crate
     #[arg(long, value_name = "DIR", requires = "input")]
     out: Option<PathBuf>,
-    /// How many points of each kernel's domain to measure for the table
+    /// How many points of each kernel's domain to measure for the table; README.md is written with the default only
     #[arg(long, default_value_t = readme::POINTS)]
     points: u32,
 }
@@ -53,9 +53,16 @@ fn project(args: &Args, root: &Path) -> miette::Result<()> {
     let generated = worker::run(&Source::Folder(worksheets(root)))?;
     let target = kernels(root);
     let mut changed = write(&target, &generated.files)?;
-    changed += usize::from(readme::update(root, &Catalogue::load(&target)?)?);
-    report(&generated.kernels, &target, args.points)?;
-    eprintln!("{} kernels, all proved equal to their reference expressions; {changed} files changed", generated.kernels.len());
+    let catalogue = Catalogue::load(&target)?;
+    let worst = worst_of_all(&catalogue, args.points)?;
+    if args.points == readme::POINTS {
+        changed += usize::from(readme::update(root, &catalogue, &worst)?);
+    }
+    report(&generated.kernels, &catalogue, &worst)?;
+    eprintln!(
+        "{} kernels, all proved equal to their reference expressions; {changed} files changed",
+        generated.kernels.len()
+    );
     Ok(())
 }
 
@@ -73,7 +80,8 @@ fn own_crate(args: &Args, input: &Path, out: &Path, root: &Path) -> miette::Resu
     for (below, files) in &crate_files {
         write(&out.join(below), files)?;
     }
-    report(&generated.kernels, &out.join("src"), args.points)?;
+    let catalogue = Catalogue::load(&out.join("src"))?;
+    report(&generated.kernels, &catalogue, &worst_of_all(&catalogue, args.points)?)?;
     eprintln!("{} kernels in {}: `cargo test` there runs their judges", generated.kernels.len(), out.display());
     Ok(())
 }
@@ -86,12 +94,10 @@ fn write(target: &Path, files: &std::collections::BTreeMap<String, String>) -> m
     folder::replace(target, files).into_diagnostic().wrap_err_with(|| format!("cannot write {}", target.display()))
 }
 
-fn report(made: &[Made], sources: &Path, points: u32) -> miette::Result<()> {
-    let catalogue = Catalogue::load(sources)?;
+fn report(made: &[Made], catalogue: &Catalogue, worst: &[f64]) -> miette::Result<()> {
     let mut table: Table = output::table(["kernel", "rules", "+ * / sqrt wide", "worst ulp", "bound", "proof"]);
-    for kernel in made {
-        let entry = catalogue.find(&kernel.kernel)?;
-        let worst = worst_of(entry, points)?;
+    for (entry, worst) in catalogue.entries().iter().zip(worst) {
+        let Some(kernel) = made.iter().find(|kernel| kernel.kernel == entry.full_name()) else { continue };
         table.add_row([
             kernel.kernel.clone(),
             kernel.rules.join(" "),

@@ -1,6 +1,5 @@
 //! The table of kernels in README.md: written by `generate`, compared by `check`.
 
-use super::verify::worst_of;
 use crate::catalogue::{Catalogue, Entry};
 use std::fmt::Write as _;
 use std::path::Path;
@@ -12,26 +11,23 @@ const END: &str = "<!-- end of kernels -->\n";
 /// How many points of each domain the table's measured errors come from.
 pub const POINTS: u32 = 200;
 
-/// README.md as it should be, and as it is; `None` where there is none or it holds no table.
-///
-/// # Errors
-///
-/// When a kernel cannot be measured.
-pub fn expected(root: &Path, catalogue: &Catalogue) -> miette::Result<Option<(String, String)>> {
-    let Ok(text) = fs::read_to_string(root.join("README.md")) else { return Ok(None) };
-    let Some((before, rest)) = text.split_once(BEGIN) else { return Ok(None) };
-    let Some((_, after)) = rest.split_once(END) else { return Ok(None) };
-    let table = table(catalogue)?;
-    Ok(Some((format!("{before}{BEGIN}{table}{END}{after}"), text)))
+/// README.md as it should be, and as it is; `None` where there is none or it holds no table. `worst` are the measured
+/// errors of the kernels at [`POINTS`] points, in order.
+pub fn expected(root: &Path, catalogue: &Catalogue, worst: &[f64]) -> Option<(String, String)> {
+    let text = fs::read_to_string(root.join("README.md")).ok()?;
+    let (before, rest) = text.split_once(BEGIN)?;
+    let (_, after) = rest.split_once(END)?;
+    let expected = format!("{before}{BEGIN}{}{END}{after}", table(catalogue, worst));
+    Some((expected, text))
 }
 
 /// Writes the table, in one step; says whether anything changed.
 ///
 /// # Errors
 ///
-/// When a kernel cannot be measured or the file cannot be written.
-pub fn update(root: &Path, catalogue: &Catalogue) -> miette::Result<bool> {
-    let Some((expected, present)) = expected(root, catalogue)? else { return Ok(false) };
+/// When the file cannot be written.
+pub fn update(root: &Path, catalogue: &Catalogue, worst: &[f64]) -> miette::Result<bool> {
+    let Some((expected, present)) = expected(root, catalogue, worst) else { return Ok(false) };
     if expected == present {
         return Ok(false);
     }
@@ -48,9 +44,10 @@ fn write(root: &Path, text: &str) -> io::Result<()> {
     Ok(())
 }
 
-fn table(catalogue: &Catalogue) -> miette::Result<String> {
-    let mut text = String::from("| kernel | what it computes | domain | bound, ulp | worst measured |\n|---|---|---|---|---|\n");
-    for entry in catalogue.entries() {
+fn table(catalogue: &Catalogue, worst: &[f64]) -> String {
+    let mut text =
+        String::from("| kernel | what it computes | domain | bound, ulp | worst measured |\n|---|---|---|---|---|\n");
+    for (entry, worst) in catalogue.entries().iter().zip(worst) {
         let _ = writeln!(
             text,
             "| `{}` | {} | {} | {} | {:.2} |",
@@ -58,10 +55,10 @@ fn table(catalogue: &Catalogue) -> miette::Result<String> {
             entry.kernel.meta.summary.trim_end_matches('.'),
             domain(entry),
             bound(entry),
-            worst_of(entry, POINTS)?
+            worst
         );
     }
-    Ok(text)
+    text
 }
 
 fn domain(entry: &Entry) -> String {

@@ -112,10 +112,19 @@ fn measured(entry: &Entry, args: &Args, bar: &ProgressBar) -> Result<Measurement
 /// # Errors
 ///
 /// When the kernel cannot be measured.
-pub fn worst_of(entry: &Entry, points: u32) -> miette::Result<f64> {
+fn worst_of(entry: &Entry, points: u32) -> miette::Result<f64> {
     let points = sample(&entry.domain()?, &inputs(entry).iter().collect::<Vec<_>>(), points as usize, 1)?;
     let measurement = measure(&entry.kernel, &Reference::of(&entry.kernel)?, &points, || ())?;
     Ok(measurement.worst.iter().flatten().map(|worst| worst.ulp).fold(0.0, f64::max))
+}
+
+/// The worst error in ulp of each kernel, in order.
+///
+/// # Errors
+///
+/// When a kernel cannot be measured.
+pub fn worst_of_all(catalogue: &Catalogue, points: u32) -> miette::Result<Vec<f64>> {
+    catalogue.entries().iter().map(|entry| worst_of(entry, points)).collect()
 }
 
 /// The inputs as samplers know them.

@@ -35,7 +35,9 @@ pub fn lower(ast: &Ast) -> Result<Expr, LowerError> {
         ExprKind::Unary { operator: UnaryOperator::Plus, operand } => lower(operand),
         ExprKind::Binary { operator, left, right } => binary(*operator, left, right, ast),
         ExprKind::Call { .. } => call(ast),
-        ExprKind::If { .. } => Err(unsupported(ast, "an `if`", "define one function for each case, each with its own domain")),
+        ExprKind::If { .. } => {
+            Err(unsupported(ast, "an `if`", "define one function for each case, each with its own domain"))
+        }
         _ => Err(unsupported(ast, "this", "write a formula of + - * / ^ sqrt abs and numbers")),
     }
 }
@@ -82,7 +84,11 @@ fn binary(operator: BinaryOperator, left: &Ast, right: &Ast, ast: &Ast) -> Resul
 
 fn power(base: &Ast, exponent: &Ast, ast: &Ast) -> Result<Expr, LowerError> {
     let Some(exponent_value) = constant(&lower(exponent)?) else {
-        return Err(unsupported(ast, "a power with a variable exponent", "only powers with constant exponents are closed forms here"));
+        return Err(unsupported(
+            ast,
+            "a power with a variable exponent",
+            "only powers with constant exponents are closed forms here",
+        ));
     };
     let base = lower(base)?;
     let numerator = exponent_value.numer().to_i64().filter(|n| n.abs() <= MAX_EXPONENT);

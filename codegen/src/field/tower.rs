@@ -43,7 +43,9 @@ pub enum TowerError {
     #[error("takes abs() of an expression whose sign the domain leaves open: add the sign to the domain")]
     OpenAbsolute,
     /// A polynomial root inside another expression.
-    #[error("uses positive_root() inside another expression: give the root a kernel of its own and take it as an input")]
+    #[error(
+        "uses positive_root() inside another expression: give the root a kernel of its own and take it as an input"
+    )]
     NestedRoot,
     /// A root of something that is no polynomial in its unknown.
     #[error("asks for the positive_root() of something that is no polynomial in its unknown, free of square roots")]
@@ -77,7 +79,15 @@ impl Tower {
     pub fn new(inputs: &[String]) -> Self {
         let ring = Ring::new(inputs.len() + SPARE);
         let facts = Facts::new(&ring, Var(inputs.len()));
-        Self { facts, ring, names: inputs.to_vec(), next: inputs.len() + 1, radicals: Vec::new(), pi: None, unknown: None }
+        Self {
+            facts,
+            ring,
+            names: inputs.to_vec(),
+            next: inputs.len() + 1,
+            radicals: Vec::new(),
+            pi: None,
+            unknown: None,
+        }
     }
 
     /// The ring of polynomials below the tower.

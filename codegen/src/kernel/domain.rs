@@ -80,11 +80,7 @@ fn joined(
 
 /// A comparison in double-double as the contract writes it, where it holds the square of a sum: expanded, the square would
 /// cancel again what its sum has cancelled already.
-fn as_written(
-    builder: &mut Builder,
-    comparison: &Comparison,
-    text: &str,
-) -> Result<Option<Condition>, KernelError> {
+fn as_written(builder: &mut Builder, comparison: &Comparison, text: &str) -> Result<Option<Condition>, KernelError> {
     let left = lower(&comparison.lhs).map_err(KernelError::Lower)?;
     let right = lower(&comparison.rhs).map_err(KernelError::Lower)?;
     if !left.has_power_of_sum() && !right.has_power_of_sum() {
@@ -121,7 +117,8 @@ fn normal_form(builder: &mut Builder, comparison: &Comparison, text: &str) -> Re
         }
     }
     let below = matches!(order, Order::Less | Order::LessOrEqual);
-    let mixed = open.terms().iter().any(|t| t.coefficient.is_positive()) && open.terms().iter().any(|t| t.coefficient.is_negative());
+    let mixed = open.terms().iter().any(|t| t.coefficient.is_positive())
+        && open.terms().iter().any(|t| t.coefficient.is_negative());
     Ok(if below && mixed { (open.negated(), order.mirrored()) } else { (open, order) })
 }
 

@@ -48,7 +48,9 @@ pub enum KernelError {
         cause: RootError,
     },
     /// A program whose error has no bound.
-    #[error("no bound for the error of `{0}` could be derived: a sum of rounded values may cancel; add the signs of its terms to the domain")]
+    #[error(
+        "no bound for the error of `{0}` could be derived: a sum of rounded values may cancel; add the signs of its terms to the domain"
+    )]
     Unbounded(String),
 }
 
@@ -56,11 +58,18 @@ pub enum KernelError {
 ///
 /// # Errors
 /// See [`KernelError`].
-pub fn make(contract: &Contract, kernel: &KernelContract, references: &[Definition]) -> Result<KernelText, KernelError> {
+pub fn make(
+    contract: &Contract,
+    kernel: &KernelContract,
+    references: &[Definition],
+) -> Result<KernelText, KernelError> {
     let mut builder = Builder::new(Tower::new(&kernel.inputs));
     let requires = domain::build(&mut builder, &kernel.domain)?;
-    let expressions: Vec<Expr> =
-        references.iter().map(|reference| lower(&reference.body)).collect::<Result<_, _>>().map_err(KernelError::Lower)?;
+    let expressions: Vec<Expr> = references
+        .iter()
+        .map(|reference| lower(&reference.body))
+        .collect::<Result<_, _>>()
+        .map_err(KernelError::Lower)?;
     let outputs = outputs(&mut builder, &expressions, references)?;
     let results = results(&builder, kernel, &outputs)?;
     let inputs: Vec<InputDoc> = contract
@@ -101,7 +110,11 @@ fn definition_text(reference: &Definition) -> String {
 }
 
 fn latex(reference: &Definition) -> String {
-    format!("{} = {}", to_latex(&closedform_maxima::ExprKind::Symbol(reference.name.clone()).into()), to_latex(&reference.body))
+    format!(
+        "{} = {}",
+        to_latex(&closedform_maxima::ExprKind::Symbol(reference.name.clone()).into()),
+        to_latex(&reference.body)
+    )
 }
 
 fn outputs(builder: &mut Builder, expressions: &[Expr], references: &[Definition]) -> Result<Vec<Node>, KernelError> {

@@ -146,9 +146,12 @@ fn print_docs(text: &mut String, kernel: &KernelText) {
         lines.extend([String::new(), format!("Branch: {}.", branch.trim_end_matches('.'))]);
     }
     lines.extend([String::new(), "# Inputs".to_owned(), String::new()]);
-    lines.extend(kernel.inputs.iter().map(|input| {
-        format!("- `{}` (`{}`), in {}: {}", input.name, input.maxima, unit(&input.unit), input.doc)
-    }));
+    lines.extend(
+        kernel
+            .inputs
+            .iter()
+            .map(|input| format!("- `{}` (`{}`), in {}: {}", input.name, input.maxima, unit(&input.unit), input.doc)),
+    );
     lines.extend([String::new(), "# Domain".to_owned(), String::new()]);
     lines.push("All inputs are finite; NaN outside of:".to_owned());
     lines.push(String::new());

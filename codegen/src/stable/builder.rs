@@ -297,9 +297,7 @@ impl Builder {
                 None => Wide::Leaf(self.variable(*var)?),
             },
             Nested::Sum(a, b, _) => self.wide_sum(a, b)?,
-            Nested::Product(a, b) => {
-                Wide::Mul(Box::new(self.wide_steps(a)?), Box::new(self.wide_steps(b)?))
-            }
+            Nested::Product(a, b) => Wide::Mul(Box::new(self.wide_steps(a)?), Box::new(self.wide_steps(b)?)),
         })
     }
 

@@ -157,7 +157,9 @@ fn turn_minus_into_a_difference(factors: &mut Factors) {
     if !factors.constant.is_negative() {
         return;
     }
-    if let Some((factor, _)) = factors.powers.iter_mut().find(|(factor, power)| has_both_signs(factor) && power % 2 == 1) {
+    if let Some((factor, _)) =
+        factors.powers.iter_mut().find(|(factor, power)| has_both_signs(factor) && power % 2 == 1)
+    {
         *factor = factor.negated();
         factors.constant = -factors.constant.clone();
     }
@@ -192,4 +194,3 @@ pub fn single_variable(polynomial: &Polynomial) -> Option<Var> {
     let [var] = variables.as_slice() else { return None };
     (*polynomial == polynomial.ring().variable(*var)).then_some(*var)
 }
-

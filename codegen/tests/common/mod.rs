@@ -19,9 +19,15 @@ pub fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("codegen stands in the repository").to_owned()
 }
 
-/// Runs the command in a folder.
+/// Runs the command in a folder; if somebody else on the machine is at it, after them.
 pub fn closedform(folder: &Path, arguments: &[&str]) -> Output {
+    closedform_waiting(folder, arguments, 300)
+}
+
+/// Runs the command in a folder, waiting some seconds for others at most.
+pub fn closedform_waiting(folder: &Path, arguments: &[&str], seconds: u32) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_closedform"));
+    command.env("CLOSEDFORM_WAIT", seconds.to_string());
     command.args(arguments).current_dir(folder).output().expect("the command starts")
 }
 
@@ -34,9 +40,13 @@ pub fn succeeds(folder: &Path, arguments: &[&str]) -> String {
 
 /// Runs the command and expects a plain failure: status 1, no panic; returns what it said, white space folded.
 pub fn fails(folder: &Path, arguments: &[&str]) -> String {
-    let output = closedform(folder, arguments);
-    assert_eq!(output.status.code(), Some(1), "closedform {arguments:?}:\n{}", said(&output));
-    let said = said(&output);
+    failure(&closedform(folder, arguments), arguments)
+}
+
+/// What a command that failed plainly has said.
+pub fn failure(output: &Output, arguments: &[&str]) -> String {
+    assert_eq!(output.status.code(), Some(1), "closedform {arguments:?}:\n{}", said(output));
+    let said = said(output);
     assert!(!said.contains("panicked"), "{said}");
     said.replace('│', " ").split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -84,12 +84,7 @@ fn rationalised(
 }
 
 /// `a + b*sqrt(r)` in plain arithmetic; the caller knows that both terms have the given sign.
-fn sum_of_one_sign(
-    builder: &mut Builder,
-    sum: &Polynomial,
-    radical: &Radical,
-    sign: Sign,
-) -> Result<Node, TowerError> {
+fn sum_of_one_sign(builder: &mut Builder, sum: &Polynomial, radical: &Radical, sign: Sign) -> Result<Node, TowerError> {
     let (rational, surd) = parts(sum, radical.var);
     let a = builder.surd(&rational, Quotient::one())?;
     let root = builder.tower.ring().variable(radical.var);

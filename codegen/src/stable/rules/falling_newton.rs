@@ -69,9 +69,11 @@ fn oriented(builder: &Builder, polynomial: &Polynomial, unknown: Var) -> Polynom
 /// The power at which the signs turn: all coefficients above are nonnegative, all below nonpositive.
 fn turning_power(builder: &Builder, coefficients: &[Polynomial]) -> Result<usize, RootError> {
     let signs: Vec<Sign> = coefficients.iter().map(|c| builder.tower.facts.sign(c)).collect();
-    let ends = signs.first().is_some_and(|s| s.is(Sign::NEGATIVE)) && signs.last().is_some_and(|s| s.is(Sign::POSITIVE));
+    let ends =
+        signs.first().is_some_and(|s| s.is(Sign::NEGATIVE)) && signs.last().is_some_and(|s| s.is(Sign::POSITIVE));
     let fits = |turn: usize| {
-        signs[..turn].iter().all(|s| s.is(Sign::NONPOSITIVE)) && signs[turn + 1..].iter().all(|s| s.is(Sign::NONNEGATIVE))
+        signs[..turn].iter().all(|s| s.is(Sign::NONPOSITIVE))
+            && signs[turn + 1..].iter().all(|s| s.is(Sign::NONNEGATIVE))
     };
     let turn = (0..signs.len()).find(|&turn| fits(turn));
     match turn {

@@ -84,7 +84,8 @@ fn move_denominators(builder: &Builder, inside: &mut Quotient, quotient: &mut Qu
         if !builder.tower.facts.sign(polynomial).is(Sign::POSITIVE) || *power != 1 {
             continue;
         }
-        let below = quotient.powers.iter_mut().find(|(f, e)| matches!(f, Factor::Polynomial(p) if p == polynomial) && *e < 0);
+        let below =
+            quotient.powers.iter_mut().find(|(f, e)| matches!(f, Factor::Polynomial(p) if p == polynomial) && *e < 0);
         if let Some((_, exponent)) = below {
             *exponent += 1;
             *power -= 2;

@@ -214,9 +214,10 @@ impl ComparisonOperator {
 fn rational(expression: &Expr, variables: &[String]) -> Result<Exact, ConditionError> {
     let not_rational = || ConditionError::NotRational { span: expression.span.clone() };
     match &expression.kind {
-        ExprKind::Integer(_) | ExprKind::Float(_) => {
-            closedform_maxima::exact::rational(expression).ok().and_then(|value| number(&value)).ok_or_else(not_rational)
-        }
+        ExprKind::Integer(_) | ExprKind::Float(_) => closedform_maxima::exact::rational(expression)
+            .ok()
+            .and_then(|value| number(&value))
+            .ok_or_else(not_rational),
         ExprKind::Symbol(name) => variable(name, variables)
             .ok_or_else(|| ConditionError::UnknownVariable { name: name.clone(), span: expression.span.clone() }),
         ExprKind::Unary { operator: UnaryOperator::Plus, operand } => rational(operand, variables),

@@ -31,7 +31,9 @@ impl Exact {
             Self::Number(value) => value.clone(),
             Self::Variable(index) => point.get(*index)?.clone(),
             Self::Sum(terms) => all(terms, point)?.into_iter().fold(Rational::new(), |sum, term| sum + term),
-            Self::Product(factors) => all(factors, point)?.into_iter().fold(Rational::from(1), |product, factor| product * factor),
+            Self::Product(factors) => {
+                all(factors, point)?.into_iter().fold(Rational::from(1), |product, factor| product * factor)
+            }
             Self::Power(base, exponent) => power(base.at(point)?, *exponent)?,
             Self::Abs(argument) => argument.at(point)?.abs(),
         })

@@ -65,7 +65,9 @@ fn not_zero(expr: &Expr, texts: &mut Vec<String>) {
             not_zero(left, texts);
             not_zero(right, texts);
         }
-        ExprKind::Binary { operator: BinaryOperator::Divide | BinaryOperator::Power, left, .. } => not_zero(left, texts),
+        ExprKind::Binary { operator: BinaryOperator::Divide | BinaryOperator::Power, left, .. } => {
+            not_zero(left, texts)
+        }
         ExprKind::Call { .. } => match expr.as_call() {
             Some(("sqrt", [radicand])) => condition(radicand, ">", texts),
             _ => condition(expr, "#", texts),
