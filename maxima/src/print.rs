@@ -148,7 +148,8 @@ impl Printer {
     }
 
     fn symbol(&mut self, name: &str) {
-        let (lisp, plain) = name.strip_prefix('?').map_or(("", name), |rest| ("?", rest));
+        let marked = name.strip_prefix('?').filter(|rest| !rest.is_empty());
+        let (lisp, plain) = marked.map_or(("", name), |rest| ("?", rest));
         self.text(lisp);
         for (index, character) in plain.chars().enumerate() {
             let bare = if index == 0 { begins_symbol(character) } else { continues_symbol(character) };

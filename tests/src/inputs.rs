@@ -134,7 +134,7 @@ impl Space {
             Maker::Edges => self.nudged_zero(&self.edges, random),
             Maker::Subterms => self.nudged_zero(&self.subterms, random),
             Maker::NearEqual => self.near_equal(random),
-            Maker::Logarithmic => Some(self.each(random, |input, random| logarithmic(input, random))),
+            Maker::Logarithmic => Some(self.each(random, logarithmic)),
             Maker::Bits => Some(self.each(random, |input, random| {
                 let (low, high) = exponents(input);
                 with_bits(random.between(low - 10.0, high + 10.0), random)

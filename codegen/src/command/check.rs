@@ -82,7 +82,7 @@ fn live(root: &Path) -> miette::Result<()> {
     for name in family_names(&folder)? {
         for disagreement in compare_golden(&folder, &name, &Options::default())? {
             let golden = &disagreement.golden;
-            let now = disagreement.now.map_or_else(|failure| failure.to_string(), |value| value);
+            let now = disagreement.now.unwrap_or_else(|failure| failure.to_string());
             wrong.push(format!("{}.tsv, {}: golden {} but Maxima says {now}", name, golden.worksheet, golden.value));
         }
     }

@@ -18,7 +18,10 @@ pub fn wide_as_written(builder: &mut Builder, expr: &Expr) -> Result<Option<Wide
             let var = builder.tower.variable(name)?;
             Some(Wide::Leaf(builder.variable(var)?))
         }
-        Expr::Sum(items) => joined(parts(builder, items)?, sum),
+        Expr::Sum(items) => {
+            let terms: Vec<Expr> = items.iter().filter(|item| !item.is_zero()).cloned().collect();
+            joined(parts(builder, &terms)?, sum)
+        }
         Expr::Product(items) => match items.split_first() {
             Some((first, rest)) if is_minus_one(first) => {
                 joined(parts(builder, rest)?, product).map(|positive| Wide::Neg(Box::new(positive)))

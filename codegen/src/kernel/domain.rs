@@ -112,7 +112,7 @@ fn normal_form(builder: &mut Builder, comparison: &Comparison, text: &str) -> Re
         let sign = builder.tower.facts.sign(factor).power(*exponent);
         if sign.is(Sign::NEGATIVE) {
             order = order.mirrored();
-        } else if !sign.is(Sign::POSITIVE) && !(order == Order::NotEqual && sign.is(Sign::NONZERO)) {
+        } else if !(sign.is(Sign::POSITIVE) || order == Order::NotEqual && sign.is(Sign::NONZERO)) {
             open = open.times(&factor.power(*exponent));
         }
     }

@@ -291,7 +291,7 @@ pub fn arrival_first(
 ) -> ArrivalFirst {
     require!(x1 != x0, "x1 # x0");
     require!(a0 != 0.0 || 2.0 * v0 + v1 > 0.0, "a0 # 0 or v1+2*v0 > 0");
-    require!(compensated!((v1 + 2.0 * v0) * (v1 + 2.0 * v0) + 6.0 * a0 * (x1 - x0) + 0.0) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
+    require!(compensated!((v1 + 2.0 * v0) * (v1 + 2.0 * v0) + 6.0 * a0 * (x1 - x0)) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
     let sum = 2.0 * v0 + v1;
     let difference = x1 - x0;
     // compensated, differences-first
@@ -375,7 +375,7 @@ pub fn arrival_last(
 ) -> ArrivalLast {
     require!(x1 != x0, "x1 # x0");
     require!(a0 != 0.0 || 2.0 * v0 + v1 < 0.0, "a0 # 0 or v1+2*v0 < 0");
-    require!(compensated!((v1 + 2.0 * v0) * (v1 + 2.0 * v0) + 6.0 * a0 * (x1 - x0) + 0.0) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
+    require!(compensated!((v1 + 2.0 * v0) * (v1 + 2.0 * v0) + 6.0 * a0 * (x1 - x0)) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
     let sum = 2.0 * v0 + v1;
     let difference = x1 - x0;
     // compensated, differences-first

@@ -144,7 +144,7 @@ pub fn quarter_move(
     require!(a3 < 0.0, "a3 < 0");
     require!(t1 > 0.0, "t1 > 0");
     require!(compensated!(3.0 * x4 + 5.0 * a3 * t1 * t1) > 0.0, "3*x4+5*a3*t1^2 > 0");
-    require!(compensated!((3.0 * x4 + 5.0 * a3 * (t1 * t1)) * (3.0 * x4 + 5.0 * a3 * (t1 * t1)) + 54.0 * a3 * x4 * (t1 * t1) + 0.0) > 0.0, "(3*x4+5*a3*t1^2)^2+54*a3*x4*t1^2 > 0");
+    require!(compensated!((3.0 * x4 + 5.0 * a3 * (t1 * t1)) * (3.0 * x4 + 5.0 * a3 * (t1 * t1)) + 54.0 * a3 * x4 * (t1 * t1)) > 0.0, "(3*x4+5*a3*t1^2)^2+54*a3*x4*t1^2 > 0");
     // compensated
     let cancelling = compensated!(3.0 * x4 + 5.0 * a3 * t1 * t1);
     // merge-roots

@@ -120,7 +120,7 @@ impl Function<'_> {
 
     fn next_place(&self, low: &Float, high: &Float, below: &Float, above: &Float, step: u32) -> Float {
         let middle = self.scope.float(low + high) / 2;
-        if step % 3 == 0 {
+        if step.is_multiple_of(3) {
             return middle;
         }
         let width = self.scope.float(high - low);

@@ -57,7 +57,7 @@ fn exponents(inputs: &BTreeMap<String, Float>) -> (i32, i32) {
 
 fn first_precision(bits: u32, spread: u32) -> u32 {
     let wanted = bits.saturating_add(GUARD_BITS).saturating_add(4 * spread);
-    wanted.max(128).min(PRECISION_LIMIT / 4)
+    wanted.clamp(128, PRECISION_LIMIT / 4)
 }
 
 /// Whether the values are both zero, or equal to `bits` bits.

@@ -252,7 +252,7 @@ fn go_together(earlier: LoopWord, later: LoopWord) -> bool {
     use LoopWord::{From, In, Next, Step, Thru, Unless, While};
     let counts = |word| matches!(word, From | Step | Next | Thru);
     let twice = earlier == later && !matches!(later, While | Unless);
-    !twice && !(earlier == In && counts(later)) && !(counts(earlier) && later == In)
+    !(twice || earlier == In && counts(later) || counts(earlier) && later == In)
 }
 
 /// What `left` becomes with the operator, argument list or subscript here.
