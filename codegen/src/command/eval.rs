@@ -11,7 +11,7 @@ use crate::catalogue::Catalogue;
 
 pub use digits::{MAX_DIGITS, decimal};
 
-/// What `eval` is asked.
+/// Evaluate one kernel, at one point or at those of a CSV file
 #[derive(Clone, Debug, clap::Args)]
 pub struct Args {
     /// `family::name`, the name alone, or the worksheet's name of a result

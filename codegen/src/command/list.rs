@@ -6,7 +6,7 @@ use super::description::{Description, with_unit};
 use super::output;
 use crate::catalogue::Catalogue;
 
-/// What `list` is asked.
+/// List every kernel with its inputs, domain, bound and rules
 #[derive(Clone, Debug, clap::Args)]
 pub struct Args {
     /// Write JSON: an array with everything that is known of every kernel

@@ -9,7 +9,7 @@ use super::description::{Description, InputDescription, ResultDescription, with_
 use super::output;
 use crate::catalogue::Catalogue;
 
-/// What `show` is asked.
+/// Show one kernel: formula, inputs, domain, bound, rules and Rust text
 #[derive(Clone, Debug, clap::Args)]
 pub struct Args {
     /// `family::name`, the name alone, or the worksheet's name of a result

@@ -15,7 +15,7 @@ use crate::worksheet::contract::{Input, TYPICAL};
 use crate::worksheet::sample::{EmptyDomain, sample};
 use report::{Replay, Row};
 
-/// What `verify` is asked.
+/// Measure kernels against their references in MPFR, and hold them to their bounds
 #[derive(Clone, Debug, clap::Args)]
 pub struct Args {
     /// `family::name`, the name alone, or the worksheet's name of a result; all kernels if left off
