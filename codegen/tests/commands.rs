@@ -161,6 +161,15 @@ fn a_worksheet_of_ones_own_becomes_a_crate_that_passes_its_judges() {
 }
 
 #[test]
+fn the_readme_shows_an_evaluation_that_works() {
+    let readme = fs::read_to_string(repository().join("README.md")).unwrap();
+    let (_, command) = readme.split_once("`cargo run -p closedform-codegen -- eval ").unwrap();
+    let (arguments, _) = command.split_once('`').unwrap();
+    let arguments: Vec<&str> = std::iter::once("eval").chain(arguments.split_whitespace()).collect();
+    assert!(succeeds(&repository(), &arguments).contains("t_in = 0.0350254182534948"));
+}
+
+#[test]
 fn a_folder_that_holds_something_else_is_left_alone() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("thesis.tex"), "words").unwrap();

@@ -259,12 +259,6 @@ impl Polynomial {
         result
     }
 
-    /// The partial derivative.
-    #[must_use]
-    pub fn derivative(&self, var: Var) -> Self {
-        Self::wrap(self.inner.derivative(var.0))
-    }
-
     /// Splits off the rational content: a constant and a polynomial with coprime integers and an upright sign.
     ///
     /// Upright is the sign with more positive than negative terms and, if they balance, with a positive last term, so

@@ -5,7 +5,7 @@ mod lower;
 pub use lower::{LowerError, lower};
 
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::Zero;
 use std::collections::BTreeSet;
 
 /// A closed form over named variables with exact rational constants.
@@ -148,18 +148,6 @@ impl Expr {
     pub fn is_zero(&self) -> bool {
         matches!(self, Self::Rational(value) if value.is_zero())
     }
-
-    /// Whether the expression is the constant one, as written.
-    #[must_use]
-    pub fn is_one(&self) -> bool {
-        matches!(self, Self::Rational(value) if value.is_one())
-    }
-
-    /// Whether the expression is written with a leading minus.
-    #[must_use]
-    pub fn is_negative_constant(&self) -> bool {
-        matches!(self, Self::Rational(value) if value.is_negative())
-    }
 }
 
 fn derivative_of_product(items: &[Expr], by: &str) -> Option<Expr> {
@@ -170,4 +158,40 @@ fn derivative_of_product(items: &[Expr], by: &str) -> Option<Expr> {
         terms.push(Expr::Product(factors));
     }
     Some(Expr::Sum(terms))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The value of an expression of rational operations at x = `at`.
+    fn value(expr: &Expr, at: &BigRational) -> BigRational {
+        match expr {
+            Expr::Rational(number) => number.clone(),
+            Expr::Symbol(_) => at.clone(),
+            Expr::Sum(items) => items.iter().map(|item| value(item, at)).sum(),
+            Expr::Product(items) => items.iter().map(|item| value(item, at)).product(),
+            Expr::Power(base, exponent) => value(base, at).pow(*exponent),
+            _ => panic!("{expr:?} has no rational value"),
+        }
+    }
+
+    #[test]
+    fn derivatives_are_exact() {
+        let x = || Expr::symbol("x");
+        // x^3/(x + 1), whose derivative at 2 is (2*8 + 3*4)/9
+        let quotient = Expr::Power(Box::new(x()), 3).over(x().plus(Expr::integer(1)));
+        let two = BigRational::from_integer(2.into());
+        let slope = value(&quotient.derivative("x").unwrap(), &two);
+        assert_eq!(slope, BigRational::new(28.into(), 9.into()));
+        assert!(quotient.derivative("y").unwrap().is_zero());
+        assert_eq!(Expr::Abs(Box::new(x())).derivative("x"), None);
+    }
+
+    #[test]
+    fn a_power_of_a_sum_is_found_wherever_it_stands() {
+        let square = Expr::Power(Box::new(Expr::symbol("x").plus(Expr::symbol("y"))), 2);
+        assert!(Expr::integer(3).times(square).has_power_of_sum());
+        assert!(!Expr::Power(Box::new(Expr::symbol("x")), 2).plus(Expr::symbol("y")).has_power_of_sum());
+    }
 }
