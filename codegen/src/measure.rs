@@ -37,8 +37,7 @@ pub struct Worst {
 pub struct Measurement {
     /// The points that the promise of the bound covers, all of which were measured.
     pub covered: usize,
-    /// The points at which numbers over- or underflow, a `compensated!` slice cancels beyond what the bound promises, or the
-    /// formula has no value at all.
+    /// The points at which numbers over- or underflow, or the formula has no value at all.
     pub beyond: usize,
     /// The worst point for each result, in order; `None` where no point is covered.
     pub worst: Vec<Option<Worst>>,

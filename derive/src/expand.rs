@@ -63,7 +63,15 @@ impl<'a> Parts<'a> {
         let Kernel { attributes, visibility, name, .. } = self.kernel;
         let conditional = attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
         let documentation = format!("[`{name}`](fn@{name}) in its other arithmetics and shapes.");
-        let items = [self.constants(), self.program(), self.evaluate(), self.checked(), self.batch(), self.single()];
+        let items = [
+            self.constants(),
+            self.program(),
+            self.evaluate(),
+            self.checked(),
+            self.faithful(),
+            self.batch(),
+            self.single(),
+        ];
         quote! {
             #(#conditional)*
             #[doc = #documentation]
@@ -153,12 +161,27 @@ impl<'a> Parts<'a> {
         }
     }
 
+    fn faithful(&self) -> TokenStream {
+        let Parts { inputs, results, sizes, .. } = self;
+        let returned = self.returned(&quote!(super::));
+        let output = self.output(&quote!(super::));
+        quote! {
+            /// The value with an error of less than one ulp; slower. NaN outside the domain.
+            #[must_use]
+            pub fn faithful(#(#inputs: f64),*) -> #returned {
+                let [#(#results),*] = ::closedform::__private::faithful::<Program, #sizes>(&[#(#inputs),*]);
+                #output
+            }
+        }
+    }
+
     fn batch(&self) -> TokenStream {
         let Parts { inputs, results, sizes, .. } = self;
         let checks = self.length_checks();
-        let rows = self.rows();
         let values: Vec<_> =
             (0..results.len()).map(|i| format_ident!("__value_{i}", span = Span::mixed_site())).collect();
+        let doubt = Ident::new("__doubt", Span::mixed_site());
+        let (first, again) = (self.rows(), self.rows());
         quote! {
             /// The values of many points, bit for bit those of single calls; inputs first, then one slice a result.
             ///
@@ -170,9 +193,16 @@ impl<'a> Parts<'a> {
                 #(#results: &mut [f64]),*
             ) -> ::core::result::Result<(), ::closedform::LengthError> {
                 #checks
-                #rows {
-                    let [#(#values),*] = ::closedform::__private::value::<Program, #sizes>(&[#(*#inputs),*]);
+                let #doubt = ::core::cell::Cell::new(false);
+                #first {
+                    let [#(#values),*] = ::closedform::__private::quick::<Program, #sizes>(&[#(*#inputs),*], &#doubt);
                     #(*#results = #values;)*
+                }
+                if #doubt.get() {
+                    #again {
+                        let [#(#values),*] = ::closedform::__private::value::<Program, #sizes>(&[#(*#inputs),*]);
+                        #(*#results = #values;)*
+                    }
                 }
                 ::core::result::Result::Ok(())
             }
@@ -194,7 +224,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// The head of the loop over the rows of a batch. Zipped slices need no bounds checks.
+    /// The head of a loop over the rows of a batch. Zipped slices need no bounds checks.
     fn rows(&self) -> TokenStream {
         let inputs = self.inputs.iter().map(|input| (quote!(#input), quote!(#input.iter())));
         let results = self.results.iter().map(|result| (quote!(#result), quote!(#result.iter_mut())));

@@ -39,8 +39,9 @@ use syn::ItemFn;
 /// - statements: `require!(condition)` or `require!(condition, "text")` first, on inputs alone; then `let name = e;`;
 ///   last the result: an expression, or a struct literal. Every input must be finite, without saying so.
 /// - expressions: float literals, names, `+ - * /`, unary `-`, `sqrt(e)`, `abs(e)`, `PI`,
-///   `if condition { e } else { e }`, `compensated!(e)`, `positive_root([c0, c1, ..])`.
-/// - `compensated!(e)` takes `+ - *`, unary `-`, literals and names: evaluated in double-double, rounded once.
+///   `if condition { e } else { e }`, `compensated!(e)`, `residual!(e)`,
+///   `positive_root([c0, c1, ..])`.
+/// - `compensated!(e)` takes `+ - *`, unary `-`, literals and names: right to all digits of its operands.
 /// - `positive_root([c0, .., cn])` is the one positive root of c0 + c1 x + .. + cn x^n.
 ///
 /// # The attribute

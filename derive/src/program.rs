@@ -2,8 +2,10 @@
 //!
 //! In the emitted code every name is a `&R`. All shapes run this one program, so they cannot disagree.
 
-use closedform_syntax::{BinaryOp, Comparison, Condition, Expr, Kernel, Let, SliceArithmetic, fold_slice};
-use proc_macro2::{Ident, Span, TokenStream};
+use closedform_syntax::{
+    BinaryOp, Comparison, Condition, Expr, Kernel, Let, Slice, SliceArithmetic, fold_compensated, fold_residual,
+};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 /// The body of `evaluate<R>(inputs: &[R; N]) -> [R; M]`.
@@ -59,7 +61,8 @@ fn borrowed(expr: &Expr) -> TokenStream {
             let ident = &name.ident;
             quote!(#ident)
         }
-        Expr::Compensated(slice) => fold_slice(&Emitted, slice, &borrowed),
+        Expr::Compensated(slice) => fold_compensated(&Emitted, slice, &borrowed),
+        Expr::Residual(slice) => fold_residual(&Emitted, slice, &borrowed),
         _ => {
             let value = owned(expr);
             quote!(&#value)
@@ -70,7 +73,7 @@ fn borrowed(expr: &Expr) -> TokenStream {
 /// An expression of type `R`.
 fn owned(expr: &Expr) -> TokenStream {
     match expr {
-        Expr::Name(_) | Expr::Compensated(_) => {
+        Expr::Name(_) | Expr::Compensated(_) | Expr::Residual(_) => {
             let value = borrowed(expr);
             quote!(::core::clone::Clone::clone(#value))
         }
@@ -89,7 +92,8 @@ fn owned(expr: &Expr) -> TokenStream {
         }
         Expr::PositiveRoot(coefficients) => {
             let coefficients = coefficients.iter().map(owned);
-            real("positive_root", &[quote!(&[#(#coefficients),*])])
+            let context = context();
+            real("positive_root", &[quote!(#context), quote!(&[#(#coefficients),*])])
         }
     }
 }
@@ -187,8 +191,14 @@ impl SliceArithmetic for Emitted {
         real("wide_mul", &[quote!(&#a), quote!(&#b)])
     }
 
-    fn round(&self, a: &TokenStream) -> TokenStream {
-        let value = real("round", &[quote!(&#a)]);
+    fn compensated(&self, a: &TokenStream, slice: &Slice, operands: &[TokenStream]) -> TokenStream {
+        let (threshold, terms) = (slice.threshold, Literal::byte_string(&slice.terms));
+        let value = real("compensated", &[quote!(&#a), quote!(#threshold), quote!(&[#(#operands),*]), quote!(#terms)]);
+        quote!(&#value)
+    }
+
+    fn residual(&self, a: &TokenStream) -> TokenStream {
+        let value = real("residual", &[quote!(&#a)]);
         quote!(&#value)
     }
 }

@@ -42,6 +42,14 @@ fn split(x: f64) -> (f64, f64) {
     (high, x - high)
 }
 
+/// The significand as an integer, and the exponent of its unit; of a finite number.
+pub(crate) fn significand(x: f64) -> (u64, i32) {
+    let bits = x.to_bits();
+    let (exponent, fraction) = ((bits >> 52 & 0x7ff) as i32, bits & ((1 << 52) - 1));
+    let significand = if exponent == 0 { fraction } else { fraction | 1 << 52 };
+    (significand, exponent.max(1) - 1075)
+}
+
 /// The exponent of the leading bit; of a number that is neither zero, infinite nor NaN.
 pub(crate) fn exponent(x: f64) -> i32 {
     libm::ilogb(x)

@@ -7,7 +7,7 @@ use crate::info::Info;
 #[cfg(feature = "mpfr")]
 use crate::mpfr::Mpfr;
 use crate::real::Real;
-use crate::shape::{checked, single, value};
+use crate::shape::{checked, faithful, single, value};
 
 /// The program of a kernel of `N` inputs, `K` conditions and `M` results; implemented by `#[kernel]`.
 pub trait Program<const N: usize, const K: usize, const M: usize> {
@@ -31,6 +31,7 @@ pub struct Kernel {
     /// What is known of it.
     pub info: &'static Info,
     plain: fn(&[f64], &mut [f64]) -> Result<(), LengthError>,
+    faithful: fn(&[f64], &mut [f64]) -> Result<(), LengthError>,
     checked: fn(&[f64], &mut [f64]) -> Result<(), CallError>,
     batch: Batch,
     single: fn(&[f32], &mut [f32]) -> Result<(), LengthError>,
@@ -46,6 +47,7 @@ impl Kernel {
         Kernel {
             info: P::INFO,
             plain: |inputs, results| by_slices(P::INFO, inputs, results, value::<P, N, K, M>),
+            faithful: |inputs, results| by_slices(P::INFO, inputs, results, faithful::<P, N, K, M>),
             checked: |inputs, results| store(P::INFO, checked::<P, N, K, M>(fixed(P::INFO, inputs)?)?, results),
             batch: |inputs, results| {
                 let inputs = fixed(P::INFO, inputs)?;
@@ -61,6 +63,11 @@ impl Kernel {
     /// The results, each NaN outside the domain.
     pub fn eval(&self, inputs: &[f64], results: &mut [f64]) -> Result<(), LengthError> {
         (self.plain)(inputs, results)
+    }
+
+    /// The results with an error of less than one ulp each, NaN outside the domain.
+    pub fn faithful(&self, inputs: &[f64], results: &mut [f64]) -> Result<(), LengthError> {
+        (self.faithful)(inputs, results)
     }
 
     /// The results, or the condition that the inputs violate.

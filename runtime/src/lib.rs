@@ -39,15 +39,21 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+mod double;
 mod error;
+mod exact;
 mod float;
+mod guarded;
 mod info;
 mod kernel;
+mod measured;
 #[cfg(feature = "mpfr")]
 mod mpfr;
+mod quick;
 mod real;
 mod root;
 mod shape;
+mod soft;
 mod wide;
 
 pub use closedform_derive::kernel;
@@ -63,5 +69,5 @@ pub use wide::Wide;
 /// What expansions of `#[kernel]` call; not for people.
 #[doc(hidden)]
 pub mod __private {
-    pub use crate::shape::{checked, same_length, single, value};
+    pub use crate::shape::{checked, faithful, quick, same_length, single, value};
 }

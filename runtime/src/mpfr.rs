@@ -11,8 +11,7 @@ use crate::root::{Term, bound, steps, terms};
 
 /// A number of arbitrary precision, correctly rounded to nearest by every operation.
 ///
-/// A result takes the larger precision of its operands. A `compensated!` slice is evaluated at that same precision:
-/// raise the precision until the result stops changing.
+/// A result takes the larger precision of its operands. A slice is evaluated at that same precision: raise the precision until the result stops changing.
 #[derive(Clone, Debug, PartialEq, PartialOrd)]
 pub struct Mpfr(pub Float);
 
@@ -83,8 +82,8 @@ impl Real for Mpfr {
         self.0.is_finite()
     }
 
-    fn positive_root(coefficients: &[Self]) -> Self {
-        let precision = coefficients.iter().map(|c| c.0.prec()).max().unwrap_or(f64::MANTISSA_DIGITS);
+    fn positive_root(&self, coefficients: &[Self]) -> Self {
+        let precision = coefficients.iter().map(|c| c.0.prec()).fold(self.0.prec(), u32::max);
         let root = bound_of(coefficients).map(|bound| fall(coefficients, bound, precision));
         Mpfr(Float::with_val(precision, root.unwrap_or_else(|| Float::with_val(precision, f64::NAN))))
     }
@@ -117,7 +116,11 @@ impl Real for Mpfr {
         left.mul(right)
     }
 
-    fn round(wide: &Mpfr) -> Self {
+    fn compensated(wide: &Mpfr, _: f64, _: &[&Self], _: &[u8]) -> Self {
+        wide.clone()
+    }
+
+    fn residual(wide: &Mpfr) -> Self {
         wide.clone()
     }
 }

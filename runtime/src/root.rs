@@ -33,24 +33,46 @@ const MAX_TERMS: usize = MAX_DEGREE + 1;
 /// after division by x, a vanishing cn that of the lower degree. A root beyond the range of `f64` becomes zero or
 /// infinite.
 pub fn positive_root(coefficients: &[f64]) -> f64 {
-    if coefficients.len() > MAX_TERMS || !coefficients.iter().all(|c| c.is_finite()) {
-        return f64::NAN;
-    }
-    let terms = terms(coefficients, |&c| (c != 0.0).then(|| Term { negative: c < 0.0, exponent: exponent(c).into() }));
-    let Some(bound) = bound(&terms) else { return f64::NAN };
-    let scaled = scaled(coefficients, &terms, bound);
-    let polynomial = scaled.get(..coefficients.len()).unwrap_or(&scaled);
-    scale(fall(polynomial), bound as i32)
+    root_of(coefficients, |c| *c)
 }
 
-/// The polynomial in y = x / 2^bound, 0 < y < 1, its largest coefficient scaled to [1, 2): nothing overflows, and what
-/// underflows is beyond the last digit of the sum.
-fn scaled(coefficients: &[f64], terms: &[Option<Term>; MAX_TERMS], bound: i64) -> [f64; MAX_TERMS] {
+/// The same, of what `value` reads.
+pub(crate) fn root_of<T>(coefficients: &[T], value: impl Fn(&T) -> f64) -> f64 {
+    if coefficients.len() > MAX_TERMS || !coefficients.iter().all(|c| value(c).is_finite()) {
+        return f64::NAN;
+    }
+    let term = |c: f64| (c != 0.0).then(|| Term { negative: c < 0.0, exponent: exponent(c).into() });
+    let root = scaled_root(coefficients, |c| term(value(c)), |c, by| scale(value(c), by as i32));
+    root.map_or(f64::NAN, |(root, bound)| scale(root, bound as i32))
+}
+
+/// The root in y = x / 2^bound, 0 < y < 1, and that bound; `None` unless the signs are right. `moved` multiplies a
+/// coefficient by a power of two and rounds it.
+pub(crate) fn scaled_root<T>(
+    coefficients: &[T],
+    term: impl Fn(&T) -> Option<Term>,
+    moved: impl Fn(&T, i64) -> f64,
+) -> Option<(f64, i64)> {
+    let terms = terms(coefficients, term);
+    let bound = bound(&terms)?;
+    let scaled = scaled(coefficients, &terms, bound, moved);
+    let polynomial = scaled.get(..coefficients.len()).unwrap_or(&scaled);
+    Some((fall(polynomial), bound))
+}
+
+/// The polynomial in y, its largest coefficient scaled to [1, 2): nothing overflows, and what underflows is beyond the
+/// last digit of the sum.
+fn scaled<T>(
+    coefficients: &[T],
+    terms: &[Option<Term>; MAX_TERMS],
+    bound: i64,
+    moved: impl Fn(&T, i64) -> f64,
+) -> [f64; MAX_TERMS] {
     let shifts: [i64; MAX_TERMS] = core::array::from_fn(|j| bound * j as i64);
     let tallest = terms.iter().zip(shifts).filter_map(|(term, shift)| Some(term.as_ref()?.exponent + shift)).max();
     let mut scaled = [0.0; MAX_TERMS];
-    for ((slot, &c), shift) in scaled.iter_mut().zip(coefficients).zip(shifts) {
-        *slot = scale(c, (shift - tallest.unwrap_or(0)) as i32);
+    for ((slot, c), shift) in scaled.iter_mut().zip(coefficients).zip(shifts) {
+        *slot = moved(c, shift - tallest.unwrap_or(0));
     }
     scaled
 }

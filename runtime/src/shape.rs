@@ -1,7 +1,12 @@
-//! The shapes of a call that are the same for every program: plain, checked, single precision.
+//! The shapes of a call that are the same for every program: plain, checked, faithful, single precision, batch row.
+
+use core::cell::Cell;
 
 use crate::error::{DomainError, LengthError};
+use crate::guarded::Guarded;
 use crate::kernel::Program;
+use crate::quick::Quick;
+use crate::soft::Soft;
 
 /// The condition that comes before all others.
 const FINITE: &str = "every input is finite";
@@ -14,6 +19,43 @@ pub fn value<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize
     let results = P::evaluate(inputs);
     let inside = P::domain(inputs).iter().fold(finite(inputs), |all, holds| all & holds);
     results.map(|result| if inside { result } else { f64::NAN })
+}
+
+/// What [`value`] returns, unless `doubt` is raised.
+#[inline(always)]
+pub fn quick<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    inputs: &[f64; N],
+    doubt: &Cell<bool>,
+) -> [f64; M] {
+    let numbers = inputs.map(|value| Quick { value, doubt });
+    let results = P::evaluate(&numbers);
+    let inside = P::domain(&numbers).iter().fold(finite(inputs), |all, holds| all & holds);
+    results.map(|result| if inside { result.value } else { f64::NAN })
+}
+
+/// The results with an error of less than one ulp; NaN outside the domain.
+pub fn faithful<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
+    if !finite(inputs) {
+        return [f64::NAN; M];
+    }
+    let left = Cell::new(false);
+    let numbers = inputs.map(|value| Guarded::new(value, &left));
+    let (results, domain) = (P::evaluate(&numbers), P::domain(&numbers));
+    let (results, domain) = match left.get() {
+        false => (results.map(Guarded::round), domain),
+        true => soft::<P, N, K, M>(inputs),
+    };
+    if domain.iter().all(|holds| *holds) { results } else { [f64::NAN; M] }
+}
+
+/// Results and domain in an arithmetic that neither over- nor underflows.
+#[cold]
+#[inline(never)]
+fn soft<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    inputs: &[f64; N],
+) -> ([f64; M], [bool; K]) {
+    let numbers = inputs.map(Soft::from_f64);
+    (P::evaluate(&numbers).map(Soft::to_f64), P::domain(&numbers))
 }
 
 /// The results in `f64`, or the first condition that the inputs violate.

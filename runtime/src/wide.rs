@@ -8,9 +8,9 @@
 //! operand overflows, on targets without a fused multiply-add) or below 2^-969 (where its error underflows) loses
 //! the theorem; beyond 2^996 the value may become NaN. It never panics.
 
-use core::ops::{Add, Mul, Neg, Sub};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::float::product_error;
+use crate::float::{product_error, sqrt};
 
 /// A number of about 106 bits: `high + low`, where `high` is that sum rounded to `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,6 +47,19 @@ impl Wide {
     #[inline(always)]
     pub fn round(self) -> f64 {
         self.high
+    }
+
+    /// The square root; NaN below zero. Relative error at most 25/8 u^2 (V. Lefevre, N. Louvet, J.-M. Muller, J. Picot,
+    /// L. Rideau, "Accurate calculation of Euclidean norms using double-word arithmetic", ACM TOMS 49(1), 2023,
+    /// SQRTDWtoDW).
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        let root = sqrt(self.high);
+        let square = Wide::two_product(root, root);
+        // exact: the remainder of a square root is a number of its precision
+        let remainder = (self.high - square.high) - square.low;
+        let correction = (self.low + remainder) / (2.0 * root);
+        if root == 0.0 { self } else { Wide::fast_two_sum(root, correction) }
     }
 
     /// What [`round`](Self::round) leaves off.
@@ -140,5 +153,18 @@ impl Mul for Wide {
         let product = Wide::two_product(self.high, other.high);
         let cross = self.high * other.low + self.low * other.high;
         Wide::fast_two_sum(product.high, product.low + cross)
+    }
+}
+
+impl Div for Wide {
+    type Output = Wide;
+
+    /// Relative error at most 15 u^2 + 56 u^3 (JMP algorithm 17, DWDivDW2).
+    #[inline(always)]
+    fn div(self, other: Wide) -> Wide {
+        let quotient = self.high / other.high;
+        let product = other * quotient;
+        let rest = (self.high - product.high) + (self.low - product.low);
+        Wide::fast_two_sum(quotient, rest / other.high)
     }
 }

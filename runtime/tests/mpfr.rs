@@ -17,7 +17,7 @@ fn a_result_takes_the_larger_precision() {
 #[test]
 fn a_root_has_all_its_digits() {
     for precision in [60, 200, 5000] {
-        let root = Mpfr::positive_root(&[-2.0, 0.0, 1.0].map(|c| Mpfr::new(precision, c)));
+        let root = Mpfr::new(precision, 0.0).positive_root(&[-2.0, 0.0, 1.0].map(|c| Mpfr::new(precision, c)));
         assert_eq!(root, Mpfr::new(precision, 2.0).sqrt());
     }
 }
@@ -25,7 +25,7 @@ fn a_root_has_all_its_digits() {
 #[test]
 fn roots_agree_with_those_in_f64() {
     for coefficients in [[-1.0, -1.0, 1.0], [-1e-100, 1e100, 1.0], [-5.0, 0.0, 3.0], [-1e300, 1e-300, 1e-300]] {
-        let precise = Mpfr::positive_root(&coefficients.map(|c| Mpfr::new(300, c)));
+        let precise = Mpfr::new(300, 0.0).positive_root(&coefficients.map(|c| Mpfr::new(300, c)));
         assert_eq!(precise.0.to_f64(), positive_root(&coefficients));
     }
 }
@@ -33,7 +33,7 @@ fn roots_agree_with_those_in_f64() {
 #[test]
 fn what_has_no_single_positive_root_is_nan() {
     for coefficients in [[1.0, -3.0, 1.0], [1.0, 1.0, 1.0], [f64::NAN, 1.0, 1.0]] {
-        assert!(Mpfr::positive_root(&coefficients.map(|c| Mpfr::new(100, c))).0.is_nan());
+        assert!(Mpfr::new(100, 0.0).positive_root(&coefficients.map(|c| Mpfr::new(100, c))).0.is_nan());
     }
-    assert!(Mpfr::positive_root(&[]).0.is_nan());
+    assert!(Mpfr::new(100, 0.0).positive_root(&[]).0.is_nan());
 }

@@ -53,7 +53,8 @@ pub const SUFFIX: &str = "write float literals without a suffix";
 pub const HUGE: &str = "this literal is beyond the range of f64";
 pub const LITERAL: &str = "only float literals are part of the kernel language";
 pub const OPERATOR: &str = "not an operator of the kernel language: use + - * / and unary -";
-pub const CALL: &str = "unknown function: kernels know sqrt(e), abs(e), compensated!(e) and positive_root([..])";
+pub const CALL: &str =
+    "unknown function: kernels know sqrt(e), abs(e), compensated!(e), residual!(e) and positive_root([..])";
 pub const BANG: &str = "this is a macro: write an exclamation mark before the parenthesis";
 pub const ONE_ARGUMENT: &str = "this function takes one argument";
 pub const METHOD: &str = "methods are not part of the kernel language: write sqrt(e), abs(e), or plain + - * /";
@@ -63,14 +64,14 @@ pub const REFERENCE: &str = "values are plain f64: remove the reference";
 pub const LOOP: &str = "a kernel is straight-line code: no loops";
 pub const MATCH: &str = "write `if condition { e } else { e }` in place of `match`";
 pub const RETURN: &str = "a kernel returns its last expression: no `return`";
-pub const MACRO: &str = "unknown macro: kernels know require!(..) and compensated!(..)";
+pub const MACRO: &str = "unknown macro: kernels know require!(..), compensated!(..) and residual!(..)";
 pub const EXPRESSION: &str = "not an expression of the kernel language";
 pub const IF_ELSE: &str = "`if` is an expression here: add `else { e }`";
 pub const BRANCH: &str = "a branch holds one expression; move `let`s before the `if`";
-pub const COMPENSATED_DIVISION: &str = "compensated!(..) cannot divide: divide outside, as in compensated!(a) / \
-                                        compensated!(b)";
-pub const COMPENSATED: &str = "compensated!(..) takes only + - *, unary -, literals and names: compute this in a `let` \
-                               first";
+pub const SLICE_DIVISION: &str = "a slice cannot divide: divide outside, as in compensated!(a) / compensated!(b)";
+pub const SLICE: &str = "a slice takes only + - *, unary -, literals and names: compute this in a `let` first";
+pub const COMPENSATED_SIZE: &str = "this slice is too large: multiplied out, it may have 16384 terms of 16 factors each, \
+                                    and 255 names and literals; move a part of it to a `let`";
 pub const ROOT: &str = "write positive_root([c0, c1, ..]) with 2 to 17 coefficients, lowest power first";
 
 pub const UNREADABLE: &str = "this function cannot be read as a kernel";

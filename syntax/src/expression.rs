@@ -7,7 +7,7 @@ use syn::{
 
 use crate::MAX_DEGREE;
 use crate::error::{self, Errors};
-use crate::kernel::{self, BinaryOp};
+use crate::kernel::{self, BinaryOp, Slice};
 use crate::scope::Scope;
 
 /// Reads expressions and conditions; every method returns `None` only with an error added.
@@ -30,7 +30,7 @@ impl<'r> Reader<'r> {
                 None => self.refuse(expr),
             },
             Expr::Call(call) => self.call(call),
-            Expr::Macro(mac) => self.compensated(mac),
+            Expr::Macro(mac) => self.macro_call(mac),
             Expr::If(choice) => self.choice(choice),
             _ => self.refuse(expr),
         }
@@ -94,7 +94,7 @@ impl<'r> Reader<'r> {
             Some("sqrt") => self.argument(call).map(|operand| kernel::Expr::Sqrt(operand.into())),
             Some("abs") => self.argument(call).map(|operand| kernel::Expr::Abs(operand.into())),
             Some("positive_root") => self.root(call),
-            Some("require" | "compensated") => self.refuse_with(&call.func, error::BANG),
+            Some("require" | "compensated" | "residual") => self.refuse_with(&call.func, error::BANG),
             _ => self.refuse_with(&call.func, error::CALL),
         }
     }
@@ -118,35 +118,39 @@ impl<'r> Reader<'r> {
         read.into_iter().collect::<Option<_>>().map(kernel::Expr::PositiveRoot)
     }
 
-    fn compensated(&mut self, mac: &ExprMacro) -> Option<kernel::Expr> {
-        if !mac.mac.path.is_ident("compensated") {
+    fn macro_call(&mut self, mac: &ExprMacro) -> Option<kernel::Expr> {
+        let compensated = mac.mac.path.is_ident("compensated");
+        if !compensated && !mac.mac.path.is_ident("residual") {
             let late = mac.mac.path.is_ident("require");
             return self.refuse_with(mac, if late { error::LATE_REQUIRE } else { error::MACRO });
         }
-        match mac.mac.parse_body::<Expr>() {
-            Ok(slice) => self.slice(&slice).map(|slice| kernel::Expr::Compensated(slice.into())),
-            Err(error) => {
-                self.errors.add(error);
-                None
-            }
+        let read = mac.mac.parse_body::<Expr>();
+        let slice = self.errors.take(read)?;
+        let slice = self.slice(&slice)?;
+        if !compensated {
+            return Some(kernel::Expr::Residual(slice.into()));
+        }
+        match Slice::new(slice) {
+            Ok(slice) => Some(kernel::Expr::Compensated(slice)),
+            Err(message) => self.refuse_with(mac, message),
         }
     }
 
-    /// Reads an expression inside `compensated!`.
+    /// Reads an expression inside `compensated!` or `residual!`.
     fn slice(&mut self, expr: &Expr) -> Option<kernel::Expr> {
         match expr {
             Expr::Paren(inner) => self.slice(&inner.expr),
             Expr::Group(inner) => self.slice(&inner.expr),
             Expr::Lit(literal) => self.literal(literal),
-            Expr::Path(path) if path.path.is_ident("PI") => self.refuse_with(expr, error::COMPENSATED),
+            Expr::Path(path) if path.path.is_ident("PI") => self.refuse_with(expr, error::SLICE),
             Expr::Path(path) => self.name(path),
             Expr::Unary(unary) => self.negation(unary, Self::slice),
             Expr::Binary(binary) => match operator(&binary.op) {
-                Some(BinaryOp::Div) => self.refuse_with(expr, error::COMPENSATED_DIVISION),
+                Some(BinaryOp::Div) => self.refuse_with(expr, error::SLICE_DIVISION),
                 Some(op) => self.binary(op, [&binary.left, &binary.right], Self::slice),
                 None => self.refuse(expr),
             },
-            Expr::Call(_) | Expr::Macro(_) | Expr::If(_) => self.refuse_with(expr, error::COMPENSATED),
+            Expr::Call(_) | Expr::Macro(_) | Expr::If(_) => self.refuse_with(expr, error::SLICE),
             _ => self.refuse(expr),
         }
     }
@@ -166,7 +170,7 @@ impl<'r> Reader<'r> {
         match &block.stmts[..] {
             [Stmt::Expr(value, None)] => self.expression(value),
             [Stmt::Macro(value)] if value.semi_token.is_none() => {
-                self.compensated(&ExprMacro { attrs: Vec::new(), mac: value.mac.clone() })
+                self.macro_call(&ExprMacro { attrs: Vec::new(), mac: value.mac.clone() })
             }
             _ => self.refuse_with(block, error::BRANCH),
         }

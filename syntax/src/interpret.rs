@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use crate::kernel::{BinaryOp, Condition, Expr, Kernel, Let};
-use crate::slice::{SliceArithmetic, fold_slice};
+use crate::slice::{SliceArithmetic, fold_compensated, fold_residual};
 
 /// The arithmetic that the interpreter runs in.
 ///
@@ -94,7 +94,8 @@ impl<'a, A: Arithmetic> Machine<'a, A> {
             Expr::Abs(inner) => self.arithmetic.abs(&self.value(inner)),
             Expr::Binary { op, left, right } => self.binary(*op, &self.value(left), &self.value(right)),
             Expr::If { condition, then, otherwise } => self.value(if self.holds(condition) { then } else { otherwise }),
-            Expr::Compensated(slice) => fold_slice(self.arithmetic, slice, &|leaf| self.value(leaf)),
+            Expr::Compensated(slice) => fold_compensated(self.arithmetic, slice, &|leaf| self.value(leaf)),
+            Expr::Residual(slice) => fold_residual(self.arithmetic, slice, &|leaf| self.value(leaf)),
             Expr::PositiveRoot(coefficients) => {
                 let coefficients: Vec<_> = coefficients.iter().map(|coefficient| self.value(coefficient)).collect();
                 self.arithmetic.positive_root(&coefficients)
@@ -167,8 +168,13 @@ macro_rules! real_arithmetic {
                 R::wide_mul(a, b)
             }
 
-            fn round(&self, a: &R::Wide) -> R {
-                R::round(a)
+            fn compensated(&self, a: &R::Wide, slice: &$crate::Slice, operands: &[R]) -> R {
+                let operands: ::std::vec::Vec<&R> = operands.iter().collect();
+                R::compensated(a, slice.threshold, &operands, &slice.terms)
+            }
+
+            fn residual(&self, a: &R::Wide) -> R {
+                R::residual(a)
             }
         }
 
@@ -214,7 +220,7 @@ macro_rules! real_arithmetic {
             }
 
             fn positive_root(&self, coefficients: &[R]) -> R {
-                R::positive_root(coefficients)
+                self.0.positive_root(coefficients)
             }
         }
     };

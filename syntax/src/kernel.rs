@@ -150,10 +150,25 @@ pub enum Expr {
         /// The value where it does not hold.
         otherwise: Box<Expr>,
     },
-    /// `compensated!(e)`; `e` consists of literals, names, `+ - *` and unary `-`.
-    Compensated(Box<Expr>),
+    /// `compensated!(e)`
+    Compensated(Slice),
+    /// `residual!(e)`; `e` consists of literals, names, `+ - *` and unary `-`.
+    Residual(Box<Expr>),
     /// `positive_root([c0, c1, ..])`
     PositiveRoot(Vec<Expr>),
+}
+
+/// What stands in `compensated!`, and how it is evaluated where double-double cannot tell its digits.
+#[derive(Clone, Debug)]
+pub struct Slice {
+    /// The slice: literals, names, `+ - *` and unary `-`.
+    pub value: Box<Expr>,
+    /// Its literals and names, each once.
+    pub operands: Vec<Expr>,
+    /// Its terms as `closedform::Real::compensated` reads them: products of operands.
+    pub terms: Vec<u8>,
+    /// How much larger than this times the sum of its terms' magnitudes it must be in double-double to be right.
+    pub threshold: f64,
 }
 
 /// A name in an expression, resolved.

@@ -25,9 +25,11 @@ mod slice;
 
 pub use file::parse_file;
 pub use interpret::{Arithmetic, Violation, evaluate, violated};
-pub use kernel::{BinaryOp, Comparison, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Require, ResultMeta};
+pub use kernel::{
+    BinaryOp, Comparison, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Require, ResultMeta, Slice,
+};
 pub use operations::{Operations, operations};
-pub use slice::{SliceArithmetic, fold_slice};
+pub use slice::{MAX_FACTORS, SliceArithmetic, fold_compensated, fold_residual};
 
 use proc_macro2::TokenStream;
 use syn::{ItemFn, Result};

@@ -13,7 +13,7 @@ pub struct Operations {
     pub div: u32,
     /// Square roots.
     pub sqrt: u32,
-    /// Additions and multiplications in double-double, inside `compensated!`.
+    /// Additions and multiplications in double-double, inside `compensated!` and `residual!`.
     pub compensated: u32,
     /// Roots of polynomials, found by iteration.
     pub root: u32,
@@ -46,7 +46,8 @@ impl Operations {
                 self.expression(then);
                 self.expression(otherwise);
             }
-            Expr::Compensated(slice) => self.compensated += slice_operations(slice),
+            Expr::Compensated(slice) => self.compensated += slice_operations(&slice.value),
+            Expr::Residual(slice) => self.compensated += slice_operations(slice),
             Expr::PositiveRoot(coefficients) => {
                 self.root += 1;
                 coefficients.iter().for_each(|coefficient| self.expression(coefficient));

@@ -33,7 +33,8 @@ fn text(expr: &Expr, outer: u8) -> String {
         Expr::Pi(_) => return "PI".to_owned(),
         Expr::Sqrt(inner) => return format!("sqrt({})", text(inner, 0)),
         Expr::Abs(inner) => return format!("abs({})", text(inner, 0)),
-        Expr::Compensated(inner) => return format!("compensated!({})", text(inner, 0)),
+        Expr::Compensated(slice) => return format!("compensated!({})", text(&slice.value, 0)),
+        Expr::Residual(inner) => return format!("residual!({})", text(inner, 0)),
         Expr::PositiveRoot(coefficients) => return root_text(coefficients),
         Expr::If { condition, then, otherwise } => {
             let (then, otherwise) = (text(then, 0), text(otherwise, 0));

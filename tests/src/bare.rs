@@ -102,18 +102,20 @@ fn read(target: &Path, messages: &str) -> Bare {
 enum Shape {
     Plain,
     Checked,
+    Faithful,
     Batch,
     Single,
 }
 
 impl Shape {
-    const ALL: [Self; 4] = [Self::Plain, Self::Checked, Self::Batch, Self::Single];
+    const ALL: [Self; 5] = [Self::Plain, Self::Checked, Self::Faithful, Self::Batch, Self::Single];
 
     fn function(self, info: &Info) -> String {
         let name = info.name.replace("::", "_");
         match self {
             Self::Plain => format!("plain_{name}"),
             Self::Checked => format!("checked_{name}"),
+            Self::Faithful => format!("faithful_{name}"),
             Self::Batch => format!("batch_{name}"),
             Self::Single => format!("single_{name}"),
         }
@@ -126,6 +128,7 @@ impl Shape {
         let (kind, path) = match self {
             Self::Plain => ("f64", ""),
             Self::Checked => ("f64", "::checked"),
+            Self::Faithful => ("f64", "::faithful"),
             Self::Batch => ("&[f64]", "::batch"),
             Self::Single => ("f32", "::f32"),
         };

@@ -8,18 +8,6 @@ use crate::inputs::{Points, Space};
 use crate::reference::{Oracle, References};
 use crate::ulp::{self, F64};
 
-/// Bits of a `compensated!` slice.
-const SLICE_BITS: u32 = 106;
-
-/// Bounds hold as long as cancellation costs a slice fewer bits than this.
-const CANCELLED_BITS: u32 = 40;
-
-/// Bits in which cancellation is measured: no slice comes near losing that many.
-const AMPLE_BITS: u32 = 2_048;
-
-/// The largest share of points that may be beyond what bounds promise.
-const SKIPPED_SHARE: f64 = 0.05;
-
 /// A kernel with all that it takes to judge it.
 #[derive(Clone, Debug)]
 pub struct Judge {
@@ -29,17 +17,6 @@ pub struct Judge {
     pub oracle: Oracle,
     /// Where it should return it.
     pub space: Space,
-}
-
-/// What came out at one point.
-#[derive(Clone, Debug)]
-pub enum Verdict {
-    /// Every result is within its bound: the errors in ulp.
-    Kept(Vec<f64>),
-    /// An error beyond its bound where none is promised: the program cancels by more than 2^40.
-    Cancelled,
-    /// An error beyond its bound.
-    Broken(Box<Failure>),
 }
 
 /// The worst error of one result.
@@ -56,8 +33,6 @@ pub struct Worst {
 pub struct Report {
     /// How many points were judged.
     pub points: usize,
-    /// How many more were beyond what bounds promise.
-    pub skipped: usize,
     /// The worst error of each result.
     pub worst: Vec<Worst>,
 }
@@ -95,21 +70,23 @@ impl Judge {
         })
     }
 
-    /// What comes out at a point inside the domain; `origin` says where the point is from.
-    pub fn verdict(&self, inputs: &[f64], origin: &str) -> Verdict {
+    /// The errors of the results in ulp at a point inside the domain; `origin` says where the point is from.
+    ///
+    /// # Errors
+    ///
+    /// The first one that is beyond its bound.
+    pub fn errors(&self, inputs: &[f64], origin: &str) -> Result<Vec<f64>, Box<Failure>> {
         let mut errors = Vec::new();
         for (result, actual) in self.actual(inputs).into_iter().enumerate() {
             let exact = self.exact(result, inputs);
             let ulp = ulp::distance(actual, &exact, F64);
             if ulp <= self.bound(result) {
                 errors.push(ulp);
-            } else if actual.is_finite() && self.cancels(result, inputs) {
-                return Verdict::Cancelled;
             } else {
-                return Verdict::Broken(Box::new(Failure::new(self, result, inputs, actual, &exact, origin)));
+                return Err(Box::new(Failure::new(self, result, inputs, actual, &exact, origin)));
             }
         }
-        Verdict::Kept(errors)
+        Ok(errors)
     }
 
     /// The results of the kernel's program in MPFR.
@@ -118,15 +95,6 @@ impl Judge {
         let mut results = vec![Mpfr::new(precision, 0.0); self.kernel.info.results.len()];
         self.kernel.mpfr(&inputs, &mut results).expect("as many inputs and results as the kernel has");
         results.into_iter().map(|result| result.0).collect()
-    }
-
-    /// Whether the program of a result, run in the bits of a slice, loses more of them than bounds allow for.
-    ///
-    /// It is compared with itself in ample bits, not with the oracle: a wrong program finds no excuse here.
-    pub fn cancels(&self, result: usize, inputs: &[f64]) -> bool {
-        let ample = self.program(inputs, AMPLE_BITS).swap_remove(result);
-        let lost = (self.program(inputs, SLICE_BITS).swap_remove(result) - &ample).abs();
-        lost > ample.abs() >> (SLICE_BITS - CANCELLED_BITS)
     }
 }
 
@@ -138,17 +106,12 @@ impl Judge {
 ///
 /// # Panics
 ///
-/// More than a small share of the points is beyond what bounds promise, or a reference has no value inside the domain.
+/// A reference has no value inside the domain.
 pub fn check(judge: &Judge, points: &Points) -> Result<Report, Box<Failure>> {
     let mut report = Report { worst: vec![Worst::default(); judge.kernel.info.results.len()], ..Report::default() };
     for inputs in &points.list {
-        match judge.verdict(inputs, &points.origin) {
-            Verdict::Kept(errors) => report.keep(&errors, inputs),
-            Verdict::Cancelled => report.skipped += 1,
-            Verdict::Broken(failure) => return Err(failure),
-        }
+        report.keep(&judge.errors(inputs, &points.origin)?, inputs);
     }
-    report.demand_honesty(judge.kernel.info.name, &points.origin);
     Ok(report)
 }
 
@@ -165,7 +128,6 @@ impl Report {
     /// Adds what came out at other points of the same kernel.
     pub fn merge(&mut self, other: Report) {
         self.points += other.points;
-        self.skipped += other.skipped;
         self.worst.resize(other.worst.len(), Worst::default());
         for (worst, theirs) in self.worst.iter_mut().zip(other.worst) {
             if theirs.ulp >= worst.ulp {
@@ -173,19 +135,4 @@ impl Report {
             }
         }
     }
-
-    fn demand_honesty(&self, kernel: &str, origin: &str) {
-        demand_honesty(self.points, self.skipped, &format!("{kernel} ({origin})"));
-    }
-}
-
-/// Demands that few points were skipped.
-///
-/// # Panics
-///
-/// They were more than a small share.
-pub fn demand_honesty(judged: usize, skipped: usize, what: &str) {
-    let all = judged + skipped;
-    let allowed = SKIPPED_SHARE * all as f64;
-    assert!(skipped as f64 <= allowed, "{what}: {skipped} of {all} points are beyond what bounds promise");
 }

@@ -1,6 +1,6 @@
 //! A search that climbs towards the worst error of a kernel by moves on the bits of its inputs.
 
-use crate::check::{Judge, Verdict};
+use crate::check::Judge;
 use crate::failure::Failure;
 use crate::inputs::Points;
 use crate::random::Random;
@@ -16,7 +16,7 @@ pub struct Summit {
     pub score: f64,
 }
 
-/// Climbs from every start for so many steps; the highest summit, none where no start can be judged.
+/// Climbs from every start for so many steps; the highest summit, none where there is no start.
 ///
 /// # Errors
 ///
@@ -26,30 +26,25 @@ pub fn hunt(judge: &Judge, starts: &Points, steps: usize, seed: u64) -> Result<O
     let origin = format!("climb from {}", starts.origin);
     let mut highest: Option<Summit> = None;
     for start in &starts.list {
-        let Some(mut summit) = visit(judge, start.clone(), &origin)? else { continue };
+        let mut summit = visit(judge, start.clone(), &origin)?;
         for _ in 0..steps {
             let moved = stepped(&summit.inputs, &mut random);
             if !judge.space.admits(&moved) {
                 continue;
             }
             let reached = visit(judge, moved, &origin)?;
-            summit = reached.filter(|reached| reached.score >= summit.score).unwrap_or(summit);
+            summit = if reached.score >= summit.score { reached } else { summit };
         }
         highest = highest.filter(|highest| highest.score >= summit.score).or(Some(summit));
     }
     Ok(highest)
 }
 
-fn visit(judge: &Judge, inputs: Vec<f64>, origin: &str) -> Result<Option<Summit>, Box<Failure>> {
-    match judge.verdict(&inputs, origin) {
-        Verdict::Kept(errors) => {
-            let shares = errors.iter().enumerate().map(|(result, ulp)| ulp / judge.bound(result));
-            let score = shares.fold(0.0, f64::max);
-            Ok(Some(Summit { errors, inputs, score }))
-        }
-        Verdict::Cancelled => Ok(None),
-        Verdict::Broken(failure) => Err(failure),
-    }
+fn visit(judge: &Judge, inputs: Vec<f64>, origin: &str) -> Result<Summit, Box<Failure>> {
+    let errors = judge.errors(&inputs, origin)?;
+    let shares = errors.iter().enumerate().map(|(result, ulp)| ulp / judge.bound(result));
+    let score = shares.fold(0.0, f64::max);
+    Ok(Summit { errors, inputs, score })
 }
 
 /// The point with one input, or two, moved by their bits.

@@ -5,6 +5,7 @@ use closedform::{Info, Input};
 use crate::domain::Domain;
 use crate::random::Random;
 use crate::reference::Oracle;
+use crate::scaling::dimensions;
 use crate::zeros::{Zeros, subterms};
 
 /// Inputs other than zero stay within 2^-LIMIT to 2^LIMIT, lest a product over- or underflows.
@@ -103,6 +104,24 @@ impl Space {
         let count = if self.has(maker) { count } else { 0 };
         let point = |_| self.first(|| self.candidate(maker, &mut random), |point| self.admits(point));
         Points { origin: format!("{maker:?}, seed {seed}"), list: (0..count).map(point).collect() }
+    }
+
+    /// Points of other makers in units of length and time so large or small that steps over- and underflow; still inside
+    /// the domain.
+    pub fn extreme(&self, seed: u64, count: usize) -> Points {
+        let mut random = Random::new(seed, &format!("{} extreme", self.info.name));
+        let units = dimensions(self.info, self.info.inputs.iter().map(|input| input.unit));
+        let units = units.unwrap_or_else(|error| panic!("{error}"));
+        let candidate = |random: &mut Random| {
+            let maker = *random.pick(&[Maker::Edges, Maker::Wide, Maker::Logarithmic]);
+            let mut point = self.candidate(if self.has(maker) { maker } else { Maker::Wide }, random)?;
+            let [length, time] = [0, 1].map(|_| random.below(1_600) as i32 - 800);
+            point.iter_mut().zip(&units).for_each(|(value, unit)| *value *= unit.factor(length, time / 2));
+            Some(point)
+        };
+        let inside = |point: &[f64]| point.iter().all(|value| value.is_finite()) && self.domain.contains(point);
+        let list = (0..count).map(|_| self.first(|| candidate(&mut random), inside)).collect();
+        Points { origin: format!("extreme, seed {seed}"), list }
     }
 
     /// `count` points outside the domain, at its edges, of wrong signs and at zeros; none where the kernel takes everything.

@@ -34,7 +34,7 @@ impl Dimension {
     }
 
     /// What a number of this dimension is multiplied by when lengths are by 2^length and times by 2^time.
-    fn factor(self, length: i32, time: i32) -> f64 {
+    pub(crate) fn factor(self, length: i32, time: i32) -> f64 {
         2.0_f64.powi(self.length * length + self.time * time)
     }
 }
@@ -64,7 +64,7 @@ pub fn check_scaling(kernel: &Kernel, points: &Points) -> Result<(), String> {
     Ok(())
 }
 
-fn dimensions<'a>(info: &Info, units: impl Iterator<Item = &'a str>) -> Result<Vec<Dimension>, String> {
+pub(crate) fn dimensions<'a>(info: &Info, units: impl Iterator<Item = &'a str>) -> Result<Vec<Dimension>, String> {
     let parse = |unit: &str| Dimension::parse(unit).ok_or_else(|| format!("{}: unit `{unit}`", info.name));
     units.map(parse).collect()
 }

@@ -6,7 +6,7 @@ use crate::check::Judge;
 use crate::domain::FINITE;
 use crate::failure::{list, replay};
 use crate::inputs::Points;
-use crate::ulp::{self, F32};
+use crate::ulp::{self, F32, F64};
 
 /// Demands of each point that it is NaN and refused by name outside the domain, and the same value checked inside.
 ///
@@ -110,13 +110,36 @@ pub fn check_single(judge: &Judge, points: &Points) -> Result<usize, String> {
             let error = ulp::distance(f64::from(actual), &exact, F32);
             // Half a unit for the rounding, and what the double was off: 29 bits more.
             let allowed = 0.5 + judge.bound(result) * 0.5_f64.powi(29);
-            if error > allowed && !judge.cancels(result, &inputs) {
+            if error > allowed {
                 let what = format!("{actual:?}, expected {exact:.20}: {error} ulp of single precision");
                 return Err(told(judge, &inputs, &points.origin, &what));
             }
         }
     }
     Ok(judged)
+}
+
+/// Demands of each point that the faithful results are less than one ulp off; how far the worst one is.
+///
+/// # Errors
+///
+/// The first point where they are not.
+pub fn check_faithful(judge: &Judge, points: &Points) -> Result<f64, String> {
+    let mut worst = 0.0_f64;
+    for inputs in &points.list {
+        let mut results = vec![0.0; judge.kernel.info.results.len()];
+        judge.kernel.faithful(inputs, &mut results).map_err(|error| error.to_string())?;
+        for (result, actual) in results.into_iter().enumerate() {
+            let exact = judge.exact(result, inputs);
+            let error = ulp::distance(actual, &exact, F64);
+            if error >= 1.0 {
+                let what = format!("faithful {actual:?}, expected {exact:.20}: {error} ulp");
+                return Err(told(judge, inputs, &points.origin, &what));
+            }
+            worst = worst.max(error);
+        }
+    }
+    Ok(worst)
 }
 
 fn told(judge: &Judge, inputs: &[f64], origin: &str, what: &str) -> String {

@@ -4,7 +4,7 @@ use proptest::prelude::{Strategy, any};
 use proptest::strategy::{NewTree, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, TestRng, TestRunner};
 
-use crate::check::{Judge, Verdict};
+use crate::check::Judge;
 use crate::inputs::{Maker, Space, shortened};
 use crate::random;
 
@@ -112,10 +112,7 @@ pub fn shrink(judge: &Judge, maker: Maker, count: u32) -> Result<(), String> {
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &bytes);
     let config = Config { cases: count, failure_persistence: None, max_shrink_iters: 10_000, ..Config::default() };
     let origin = format!("proptest of {maker:?}, seed {seed}");
-    let fails = |point: &[f64]| match judge.verdict(point, &origin) {
-        Verdict::Broken(failure) => Err(failure),
-        Verdict::Kept(_) | Verdict::Cancelled => Ok(()),
-    };
+    let fails = |point: &[f64]| judge.errors(point, &origin).map(drop);
     let outcome = TestRunner::new_with_rng(config, rng).run(&PointStrategy::new(&judge.space, maker), |point| {
         fails(&point).map_err(|failure| TestCaseError::fail(failure.to_string()))
     });

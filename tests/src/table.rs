@@ -2,9 +2,9 @@
 
 use crate::check::{Judge, Report, Worst};
 
-/// One line for each result: points, points skipped, worst error, bound.
+/// One line for each result: points, worst error, bound.
 pub fn render(judges: &[Judge], reports: &[Report]) -> String {
-    let head = format!("{:<44} {:>8} {:>7} {:>9} {:>7}\n", "result", "points", "skipped", "worst/ulp", "bound");
+    let head = format!("{:<44} {:>8} {:>9} {:>7}\n", "result", "points", "worst/ulp", "bound");
     let lines = judges.iter().zip(reports).flat_map(|(judge, report)| lines(judge, report));
     head + &lines.collect::<String>()
 }
@@ -16,8 +16,8 @@ fn lines(judge: &Judge, report: &Report) -> Vec<String> {
             1 => info.name.to_owned(),
             _ => format!("{}.{}", info.name, info.results[result].name),
         };
-        let (points, skipped, bound) = (report.points, report.skipped, judge.bound(result));
-        format!("{name:<44} {points:>8} {skipped:>7} {:>9.3} {bound:>7}\n", worst.ulp)
+        let (points, bound) = (report.points, judge.bound(result));
+        format!("{name:<44} {points:>8} {:>9.3} {bound:>7}\n", worst.ulp)
     };
     report.worst.iter().enumerate().map(line).collect()
 }

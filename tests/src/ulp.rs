@@ -22,10 +22,11 @@ impl Format {
     }
 }
 
-/// |actual - exact| in units in the last place of `exact`; infinite where `actual` is not finite.
+/// |actual - exact| in units in the last place of `exact`; an infinite `actual` is right where `exact` rounds to it, and
+/// like NaN infinitely far from anything else.
 pub fn distance(actual: f64, exact: &Float, format: Format) -> f64 {
     if !actual.is_finite() {
-        return f64::INFINITY;
+        return if actual == exact.to_f64() { 0.0 } else { f64::INFINITY };
     }
     let difference = Float::with_val(exact.prec() + 64, exact - actual).abs();
     (difference >> format.unit(exact)).to_f64()

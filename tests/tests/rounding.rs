@@ -81,6 +81,18 @@ fn batches_have_the_bits_of_single_calls() {
 }
 
 #[test]
+fn faithful_results_are_less_than_one_ulp_off() {
+    demand(|judge| {
+        let mut points: Vec<Points> =
+            Maker::ALL.into_iter().map(|maker| judge.space.inside(maker, seed(), budget().points)).collect();
+        points.push(judge.space.extreme(seed(), budget().points));
+        let worst = points.iter().map(|points| shapes::check_faithful(judge, points)).collect::<Result<Vec<_>, _>>()?;
+        println!("{:<40} {:.3} ulp", judge.kernel.info.name, worst.into_iter().fold(0.0, f64::max));
+        Ok(())
+    });
+}
+
+#[test]
 fn single_precision_is_rounded_once() {
     demand(|judge| {
         let points = judge.space.inside(Maker::Logarithmic, seed(), budget().points);

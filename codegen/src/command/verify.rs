@@ -65,7 +65,7 @@ enum Cause {
 
 /// No point was measured.
 #[derive(Debug, Error, Diagnostic)]
-#[error("the bound covers none of {points} points: steps over- or underflow, or `compensated!` slices cancel too far")]
+#[error("the bound covers none of {points} points: steps over- or underflow")]
 #[diagnostic(help("correct the `typical` magnitudes of the inputs in the contract"))]
 struct Uncovered {
     points: usize,

@@ -101,7 +101,8 @@ fn count_choices(source: &SourceKernel) -> usize {
 fn choices_in(expr: &Source) -> usize {
     match expr {
         Source::Literal { .. } | Source::Name(_) | Source::Pi(_) => 0,
-        Source::Neg(a) | Source::Sqrt(a) | Source::Abs(a) | Source::Compensated(a) => choices_in(a),
+        Source::Neg(a) | Source::Sqrt(a) | Source::Abs(a) | Source::Residual(a) => choices_in(a),
+        Source::Compensated(_) => 0,
         Source::Binary { left, right, .. } => choices_in(left) + choices_in(right),
         Source::If { then, otherwise, .. } => 1 + choices_in(then) + choices_in(otherwise),
         Source::PositiveRoot(list) => list.iter().map(choices_in).sum(),
@@ -138,7 +139,8 @@ impl Reader<'_> {
             Source::Neg(a) => self.value(a).negated(),
             Source::Sqrt(a) => Expr::Sqrt(Box::new(self.value(a))),
             Source::Abs(a) => Expr::Abs(Box::new(self.value(a))),
-            Source::Compensated(a) => self.value(a),
+            Source::Compensated(slice) => self.value(&slice.value),
+            Source::Residual(a) => self.value(a),
             Source::Binary { op, left, right } => {
                 let (left, right) = (self.value(left), self.value(right));
                 match op {

@@ -38,7 +38,7 @@ fn visit(graph: &Graph, node: Node, seen: &mut BTreeSet<Node>, cost: &mut Cost) 
         Op::Mul(..) => cost.multiplications += 1,
         Op::Div(..) => cost.divisions += 1,
         Op::Sqrt(_) => cost.roots += 1,
-        Op::Compensated(wide) => cost.wide += operations(wide),
+        Op::Compensated(wide) | Op::Residual(wide) => cost.wide += operations(wide),
         Op::Input(_) | Op::Literal(_) | Op::Pi | Op::Neg(_) | Op::If(..) | Op::PositiveRoot(_) => {}
     }
     for operand in graph.operands(node) {

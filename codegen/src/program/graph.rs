@@ -91,8 +91,10 @@ pub enum Op {
     Sqrt(Node),
     /// One of two values.
     If(Condition, Node, Node),
-    /// A polynomial that may cancel, in double-double.
+    /// A polynomial that may cancel, to all digits.
     Compensated(Wide),
+    /// A polynomial at an iterate of its root, in double-double.
+    Residual(Wide),
     /// The one positive root of a polynomial, from its coefficients, lowest power first.
     PositiveRoot(Vec<Node>),
 }
@@ -115,8 +117,8 @@ pub struct Graph {
 /// What a rounding to nearest adds to a relative error, in units of 2^-53.
 const ROUNDING: f64 = 1.0;
 
-/// How far the double-double evaluation of a polynomial may be off before its rounding, in units of 2^-53, as long as
-/// its terms cancel by less than a factor of 2^40.
+/// How far a `compensated!` slice may be off, in units of 2^-53: `closedform-syntax` sets its threshold so that it is
+/// right to a thousandth before it is rounded.
 const COMPENSATED: f64 = 1.0 + 0.001;
 
 impl Graph {
@@ -333,9 +335,14 @@ impl Graph {
         self.push(Op::If(condition, then, otherwise), sign, error)
     }
 
-    /// A polynomial in double-double, rounded once; its leaves count as exact.
+    /// A polynomial to all digits; its leaves count as exact.
     pub fn compensated(&mut self, wide: Wide, sign: Sign) -> Node {
         self.push(Op::Compensated(wide), sign, COMPENSATED)
+    }
+
+    /// A polynomial in double-double, rounded once; its error has no bound of its own.
+    pub fn residual(&mut self, wide: Wide) -> Node {
+        self.push(Op::Residual(wide), Sign::ANY, f64::INFINITY)
     }
 
     /// The one positive root of a polynomial; `error` bounds its relative error.
@@ -366,7 +373,7 @@ impl Graph {
                 nodes.extend([*a, *b]);
                 nodes
             }
-            Op::Compensated(wide) => wide.leaves(),
+            Op::Compensated(wide) | Op::Residual(wide) => wide.leaves(),
             Op::PositiveRoot(coefficients) => coefficients.clone(),
         }
     }

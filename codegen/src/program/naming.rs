@@ -70,7 +70,7 @@ fn deserves_name(graph: &Graph, node: Node, uses: usize, outputs: &[Node]) -> bo
     let only_result = uses == 1 && outputs.contains(&node);
     match graph.op(node) {
         Op::Input(_) | Op::Literal(_) | Op::Pi | Op::Neg(_) => false,
-        Op::Sqrt(_) | Op::If(..) | Op::Compensated(_) | Op::PositiveRoot(_) => !only_result,
+        Op::Sqrt(_) | Op::If(..) | Op::Compensated(_) | Op::Residual(_) | Op::PositiveRoot(_) => !only_result,
         _ => uses > 1,
     }
 }
@@ -85,6 +85,7 @@ fn stem(op: &Op) -> &'static str {
         Op::Sqrt(_) => "root",
         Op::If(..) => "chosen",
         Op::Compensated(_) => "cancelling",
+        Op::Residual(_) => "remainder",
         Op::PositiveRoot(_) => "start",
     }
 }

@@ -75,7 +75,8 @@ impl<'g> Printer<'g> {
     #[must_use]
     pub fn definition(&self, node: Node, indent: usize) -> String {
         match self.graph.op(node) {
-            Op::Compensated(wide) => self.slice(wide, indent),
+            Op::Compensated(wide) => self.slice("compensated", wide, indent),
+            Op::Residual(wide) => self.slice("residual", wide, indent),
             Op::If(condition, then, otherwise) => self.choice(condition, *then, *otherwise, indent),
             _ => self.operation(node).broken(indent),
         }
@@ -100,14 +101,14 @@ impl<'g> Printer<'g> {
         format!("if {condition} {{ {then} }} else {{ {} }}", self.text(otherwise).flat())
     }
 
-    fn slice(&self, wide: &Wide, indent: usize) -> String {
+    fn slice(&self, name: &str, wide: &Wide, indent: usize) -> String {
         let inner = self.wide(wide);
         let flat = inner.flat();
         if flat.len() + indent <= WIDTH {
-            return format!("compensated!({flat})");
+            return format!("{name}!({flat})");
         }
         let pad = " ".repeat(indent);
-        format!("compensated!(\n{pad}{}\n{})", inner.broken(indent), " ".repeat(indent - 4))
+        format!("{name}!(\n{pad}{}\n{})", inner.broken(indent), " ".repeat(indent - 4))
     }
 
     /// A condition.
@@ -150,6 +151,7 @@ impl<'g> Printer<'g> {
             Op::Sqrt(a) => Text::atom(format!("sqrt({})", self.text(*a).flat())),
             Op::If(condition, a, b) => Text::atom(self.flat_choice(condition, *a, *b)),
             Op::Compensated(wide) => Text::atom(format!("compensated!({})", self.wide(wide).flat())),
+            Op::Residual(wide) => Text::atom(format!("residual!({})", self.wide(wide).flat())),
             Op::PositiveRoot(coefficients) => {
                 let list: Vec<String> = coefficients.iter().map(|&c| self.text(c).flat()).collect();
                 Text::atom(format!("positive_root([{}])", list.join(", ")))

@@ -1,8 +1,7 @@
 //! Modules: a family of kernels with their documentation, as one Rust file.
 
 use super::expression::Printer;
-use crate::program::{Condition, Graph, Node, Op, Program};
-use std::collections::BTreeSet;
+use crate::program::{Condition, Graph, Node, Program};
 use std::fmt::Write as _;
 
 /// Everything that a family's file says.
@@ -174,37 +173,7 @@ fn print_docs(text: &mut String, kernel: &KernelText) {
 
 fn bound_line(kernel: &KernelText, result: &ResultText) -> String {
     let what = if kernel.results.len() == 1 { String::new() } else { format!("`{}`: ", result.name) };
-    let floor = match (kernel.reaches(is_slice), kernel.reaches(is_iteration)) {
-        (true, false) => ", while the terms of each `compensated!` slice cancel by less than 2^40",
-        (true, true) => ", while the terms of each coefficient cancel by less than 2^40",
-        (false, _) => "",
-    };
-    format!("- {what}at most {} ulp, barring overflow and underflow{floor}", result.bound)
-}
-
-fn is_slice(op: &Op) -> bool {
-    matches!(op, Op::Compensated(_))
-}
-
-fn is_iteration(op: &Op) -> bool {
-    matches!(op, Op::PositiveRoot(_))
-}
-
-impl KernelText {
-    /// Whether the program has a step of some kind.
-    fn reaches(&self, kind: fn(&Op) -> bool) -> bool {
-        let mut open = self.program.outputs.clone();
-        let mut seen = BTreeSet::new();
-        while let Some(node) = open.pop() {
-            if kind(self.graph.op(node)) {
-                return true;
-            }
-            if seen.insert(node) {
-                open.extend(self.graph.operands(node));
-            }
-        }
-        false
-    }
+    format!("- {what}at most {} ulp, barring overflow and underflow", result.bound)
 }
 
 fn print_attribute(text: &mut String, family: &str, kernel: &KernelText) {

@@ -57,11 +57,11 @@ pub struct ByAccelerations {
 ///
 /// # Error
 ///
-/// - `t0`: at most 2.5 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `ko`: at most 9.51 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `t2`: at most 16.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `v0`: at most 2.5 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `v1`: at most 5.51 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `t0`: at most 2.5 ulp, barring overflow and underflow
+/// - `ko`: at most 9.51 ulp, barring overflow and underflow
+/// - `t2`: at most 16.01 ulp, barring overflow and underflow
+/// - `v0`: at most 2.5 ulp, barring overflow and underflow
+/// - `v1`: at most 5.51 ulp, barring overflow and underflow
 ///
 /// From: 3 s5ST[1].
 #[kernel(
@@ -191,7 +191,7 @@ pub fn by_accelerations(
 ///
 /// # Error
 ///
-/// - at most 11.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 11.01 ulp, barring overflow and underflow
 ///
 /// From: 3 Ko = 1 (not shown).
 #[kernel(
@@ -276,11 +276,11 @@ pub struct ByTimes {
 ///
 /// # Error
 ///
-/// - `a0`: at most 4 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `a1`: at most 9.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `v0`: at most 3 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `v1`: at most 9.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `ko`: at most 16 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `a0`: at most 4 ulp, barring overflow and underflow
+/// - `a1`: at most 9.01 ulp, barring overflow and underflow
+/// - `v0`: at most 3 ulp, barring overflow and underflow
+/// - `v1`: at most 9.01 ulp, barring overflow and underflow
+/// - `ko`: at most 16 ulp, barring overflow and underflow
 ///
 /// From: 3 eqSet, solved for the accelerations (not shown).
 #[kernel(

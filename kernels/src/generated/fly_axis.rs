@@ -197,7 +197,7 @@ pub fn a1_in(
 ///
 /// # Error
 ///
-/// - at most 3.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: 4.6 %o202.
 #[kernel(
@@ -255,7 +255,7 @@ pub fn t_in_of_t_out(
 ///
 /// # Error
 ///
-/// - at most 4.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 4.01 ulp, barring overflow and underflow
 ///
 /// From: 4.6 rscn_VAdd_ax1.
 #[kernel(
@@ -426,8 +426,8 @@ pub struct OverheadOfTOut {
 ///
 /// # Error
 ///
-/// - `t_ovr_hd`: at most 6.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `dt_ovr_hd_dv1_diff`: at most 9.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `t_ovr_hd`: at most 6.01 ulp, barring overflow and underflow
+/// - `dt_ovr_hd_dv1_diff`: at most 9.01 ulp, barring overflow and underflow
 ///
 /// From: 4.6 %o202, %o203.
 #[kernel(

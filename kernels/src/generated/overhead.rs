@@ -44,8 +44,8 @@ pub struct StepLimited {
 ///
 /// # Error
 ///
-/// - `t_ovr_hd`: at most 9.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `dt_ovr_hd_dt_in`: at most 17 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `t_ovr_hd`: at most 9.01 ulp, barring overflow and underflow
+/// - `dt_ovr_hd_dt_in`: at most 17 ulp, barring overflow and underflow
 ///
 /// From: double optimisation rscn_tOv; second numbering 1.2 tOv_diff_tIn.
 #[kernel(
@@ -123,7 +123,7 @@ pub fn step_limited(
 ///
 /// # Error
 ///
-/// - at most 11.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 11.01 ulp, barring overflow and underflow
 ///
 /// From: double optimisation %o212.
 #[kernel(
@@ -193,7 +193,7 @@ pub fn t_edge(
 ///
 /// # Error
 ///
-/// - at most 9.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 9.01 ulp, barring overflow and underflow
 ///
 /// From: second numbering 1.2.1 rscn_v1Diff_tE0.
 #[kernel(

@@ -30,7 +30,7 @@ use closedform::kernel;
 ///
 /// # Error
 ///
-/// - at most 2.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 2.01 ulp, barring overflow and underflow
 ///
 /// From: 1.1 %o4.
 #[kernel(
@@ -81,7 +81,7 @@ pub fn acceleration_at(
 ///
 /// # Error
 ///
-/// - at most 2.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 2.01 ulp, barring overflow and underflow
 ///
 /// From: 1.1 %o5.
 #[kernel(
@@ -132,7 +132,7 @@ pub fn velocity_at(
 ///
 /// # Error
 ///
-/// - at most 3.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: 1.1 %o6.
 #[kernel(
@@ -193,8 +193,8 @@ pub struct BoundaryAccelerations {
 ///
 /// # Error
 ///
-/// - `a0`: at most 3.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `a1`: at most 3.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `a0`: at most 3.01 ulp, barring overflow and underflow
+/// - `a1`: at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: 1.2 %o16, %o17.
 #[kernel(
@@ -266,8 +266,8 @@ pub struct ArrivalFirst {
 ///
 /// # Error
 ///
-/// - `t1`: at most 5.51 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `a1`: at most 7.51 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `t1`: at most 5.51 ulp, barring overflow and underflow
+/// - `a1`: at most 7.51 ulp, barring overflow and underflow
 ///
 /// From: 1.2 %o13, %o14.
 #[kernel(
@@ -350,8 +350,8 @@ pub struct ArrivalLast {
 ///
 /// # Error
 ///
-/// - `t1`: at most 5.51 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `a1`: at most 7.51 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `t1`: at most 5.51 ulp, barring overflow and underflow
+/// - `a1`: at most 7.51 ulp, barring overflow and underflow
 ///
 /// From: 1.2 %o11, %o12.
 #[kernel(
@@ -495,8 +495,8 @@ pub struct MinJerkSegment {
 ///
 /// # Error
 ///
-/// - `t1`: at most 3 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `delta_a`: at most 5.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `t1`: at most 3 ulp, barring overflow and underflow
+/// - `delta_a`: at most 5.01 ulp, barring overflow and underflow
 ///
 /// From: 1.3 eqSngMinJrk (not shown).
 #[kernel(

@@ -54,11 +54,11 @@ pub struct AsymmetricReturn {
 ///
 /// # Error
 ///
-/// - `a2`: at most 3.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `t_edge1`: at most 3.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `d1_edge1`: at most 9.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `d1_edge2`: at most 12.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `v1_edge2`: at most 5.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `a2`: at most 3.01 ulp, barring overflow and underflow
+/// - `t_edge1`: at most 3.01 ulp, barring overflow and underflow
+/// - `d1_edge1`: at most 9.01 ulp, barring overflow and underflow
+/// - `d1_edge2`: at most 12.01 ulp, barring overflow and underflow
+/// - `v1_edge2`: at most 5.01 ulp, barring overflow and underflow
 ///
 /// From: third numbering 3, sln_Ax1Asym[3].
 #[kernel(

@@ -113,11 +113,11 @@ pub struct QuarterMove {
 ///
 /// # Error
 ///
-/// - `v3`: at most 2 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `v0`: at most 10.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `a0`: at most 10.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `x1`: at most 8.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `t4`: at most 3 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `v3`: at most 2 ulp, barring overflow and underflow
+/// - `v0`: at most 10.01 ulp, barring overflow and underflow
+/// - `a0`: at most 10.01 ulp, barring overflow and underflow
+/// - `x1`: at most 8.01 ulp, barring overflow and underflow
+/// - `t4`: at most 3 ulp, barring overflow and underflow
 ///
 /// From: 4.1.1 %o141.
 #[kernel(
@@ -214,12 +214,12 @@ pub struct ContinuousMove {
 ///
 /// # Error
 ///
-/// - `kv0`: at most 9.51 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `kv3`: at most 10.51 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `kt4`: at most 8.51 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `ka0`: at most 22.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `ka3`: at most 15.51 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `kx1`: at most 23.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `kv0`: at most 9.51 ulp, barring overflow and underflow
+/// - `kv3`: at most 10.51 ulp, barring overflow and underflow
+/// - `kt4`: at most 8.51 ulp, barring overflow and underflow
+/// - `ka0`: at most 22.01 ulp, barring overflow and underflow
+/// - `ka3`: at most 15.51 ulp, barring overflow and underflow
+/// - `kx1`: at most 23.01 ulp, barring overflow and underflow
 ///
 /// From: 4.3 a4VO2[2] (not shown).
 #[kernel(
@@ -334,13 +334,13 @@ pub struct SymmetricFrame {
 ///
 /// # Error
 ///
-/// - `kt4`: at most 2 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `kx1`: at most 4 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `kv0`: at most 2 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `kv3`: at most 6.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `ka0`: at most 5 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `ka3`: at most 9.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `ko`: at most 4.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `kt4`: at most 2 ulp, barring overflow and underflow
+/// - `kx1`: at most 4 ulp, barring overflow and underflow
+/// - `kv0`: at most 2 ulp, barring overflow and underflow
+/// - `kv3`: at most 6.01 ulp, barring overflow and underflow
+/// - `ka0`: at most 5 ulp, barring overflow and underflow
+/// - `ka3`: at most 9.01 ulp, barring overflow and underflow
+/// - `ko`: at most 4.01 ulp, barring overflow and underflow
 ///
 /// From: 4.4 a4VO22.
 #[kernel(
@@ -437,14 +437,14 @@ pub struct SymmetricFrameStep {
 ///
 /// # Error
 ///
-/// - `t_ie_skip`: at most 3 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `d2_in`: at most 0.5 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `d2_out`: at most 5 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `ax2_entry`: at most 7 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `v2_in`: at most 4 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `v2_out`: at most 8.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `a2_max`: at most 8 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `a3`: at most 12.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `t_ie_skip`: at most 3 ulp, barring overflow and underflow
+/// - `d2_in`: at most 0.5 ulp, barring overflow and underflow
+/// - `d2_out`: at most 5 ulp, barring overflow and underflow
+/// - `ax2_entry`: at most 7 ulp, barring overflow and underflow
+/// - `v2_in`: at most 4 ulp, barring overflow and underflow
+/// - `v2_out`: at most 8.01 ulp, barring overflow and underflow
+/// - `a2_max`: at most 8 ulp, barring overflow and underflow
+/// - `a3`: at most 12.01 ulp, barring overflow and underflow
 ///
 /// From: 4.4.1 ax2_A4VT.
 #[kernel(

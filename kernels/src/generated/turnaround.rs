@@ -47,9 +47,9 @@ pub struct OuterRamp {
 ///
 /// # Error
 ///
-/// - `t0`: at most 8.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `v0`: at most 9.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `k`: at most 37.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `t0`: at most 8.01 ulp, barring overflow and underflow
+/// - `v0`: at most 9.01 ulp, barring overflow and underflow
+/// - `k`: at most 37.01 ulp, barring overflow and underflow
 ///
 /// From: 2.3 s5S2[2].
 #[kernel(
@@ -132,9 +132,9 @@ pub struct InnerRamp {
 ///
 /// # Error
 ///
-/// - `t3`: at most 8.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `v0`: at most 0.5 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `k`: at most 21.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `t3`: at most 8.01 ulp, barring overflow and underflow
+/// - `v0`: at most 0.5 ulp, barring overflow and underflow
+/// - `k`: at most 21.01 ulp, barring overflow and underflow
 ///
 /// From: 2.3 s5S3[1].
 #[kernel(
@@ -204,7 +204,7 @@ pub fn inner_ramp(
 ///
 /// # Error
 ///
-/// - at most 8.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 8.01 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 %o50.
 #[kernel(
@@ -474,7 +474,7 @@ pub fn a2_max_of_d2_in(
 ///
 /// # Error
 ///
-/// - at most 5.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 5.01 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 Pre4CSegPlus (second parametrisation).
 #[kernel(
@@ -531,7 +531,7 @@ pub fn t_in_of_tau(
 ///
 /// # Error
 ///
-/// - at most 5.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 5.01 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 tauEq.
 #[kernel(
@@ -592,7 +592,7 @@ pub fn tau_of_t_in(
 ///
 /// # Error
 ///
-/// - at most 5.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 5.01 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 rscn_tau_ax2.
 #[kernel(
@@ -645,7 +645,7 @@ pub fn tau_without_skip(
 ///
 /// # Error
 ///
-/// - at most 4.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 4.01 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 deltaEq, %o101.
 #[kernel(
@@ -754,7 +754,7 @@ pub fn delta_of_t_edge(
 ///
 /// # Error
 ///
-/// - at most 5.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 5.01 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 rscn_tEdge_ax2.
 #[kernel(
@@ -958,7 +958,7 @@ pub fn dtau_da2_max(
 ///
 /// # Error
 ///
-/// - at most 9.51 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - at most 9.51 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 %o106 to %o109.
 #[kernel(

@@ -300,14 +300,14 @@ pub struct QuadraticLinearQuadratic {
 ///
 /// # Error
 ///
-/// - `c00`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c10`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c20`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c11`: at most 2 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c21`: at most 2 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c01`: at most 3.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c02`: at most 4.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c22`: at most 4.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `c00`: at most 0 ulp, barring overflow and underflow
+/// - `c10`: at most 0 ulp, barring overflow and underflow
+/// - `c20`: at most 0 ulp, barring overflow and underflow
+/// - `c11`: at most 2 ulp, barring overflow and underflow
+/// - `c21`: at most 2 ulp, barring overflow and underflow
+/// - `c01`: at most 3.01 ulp, barring overflow and underflow
+/// - `c02`: at most 4.01 ulp, barring overflow and underflow
+/// - `c22`: at most 4.01 ulp, barring overflow and underflow
 ///
 /// From: problem (b), equations 81 to 90.
 #[kernel(
@@ -424,16 +424,16 @@ pub struct QuadraticCubicQuadraticAtRest {
 ///
 /// # Error
 ///
-/// - `c00`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c10`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c20`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c01`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c02`: at most 3 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c11`: at most 2 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c21`: at most 2 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c22`: at most 3 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c12`: at most 5.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c13`: at most 6.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `c00`: at most 0 ulp, barring overflow and underflow
+/// - `c10`: at most 0 ulp, barring overflow and underflow
+/// - `c20`: at most 0 ulp, barring overflow and underflow
+/// - `c01`: at most 0 ulp, barring overflow and underflow
+/// - `c02`: at most 3 ulp, barring overflow and underflow
+/// - `c11`: at most 2 ulp, barring overflow and underflow
+/// - `c21`: at most 2 ulp, barring overflow and underflow
+/// - `c22`: at most 3 ulp, barring overflow and underflow
+/// - `c12`: at most 5.01 ulp, barring overflow and underflow
+/// - `c13`: at most 6.01 ulp, barring overflow and underflow
 ///
 /// From: problem (c), stated there.
 #[kernel(
@@ -552,16 +552,16 @@ pub struct QuadraticCubicQuadratic {
 ///
 /// # Error
 ///
-/// - `c00`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c10`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c20`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c02`: at most 9.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c12`: at most 9.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c22`: at most 9.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c01`: at most 9.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c11`: at most 9.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c21`: at most 9.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c13`: at most 10.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `c00`: at most 0 ulp, barring overflow and underflow
+/// - `c10`: at most 0 ulp, barring overflow and underflow
+/// - `c20`: at most 0 ulp, barring overflow and underflow
+/// - `c02`: at most 9.01 ulp, barring overflow and underflow
+/// - `c12`: at most 9.01 ulp, barring overflow and underflow
+/// - `c22`: at most 9.01 ulp, barring overflow and underflow
+/// - `c01`: at most 9.01 ulp, barring overflow and underflow
+/// - `c11`: at most 9.01 ulp, barring overflow and underflow
+/// - `c21`: at most 9.01 ulp, barring overflow and underflow
+/// - `c13`: at most 10.01 ulp, barring overflow and underflow
 ///
 /// From: problem (d), stated there.
 #[kernel(
@@ -715,18 +715,18 @@ pub struct CubicsAtRest {
 ///
 /// # Error
 ///
-/// - `c00`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c10`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c20`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c01`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c11`: at most 10.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c21`: at most 10.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c02`: at most 11.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c12`: at most 10.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c22`: at most 10.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c03`: at most 11.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c13`: at most 10.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c23`: at most 11.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `c00`: at most 0 ulp, barring overflow and underflow
+/// - `c10`: at most 0 ulp, barring overflow and underflow
+/// - `c20`: at most 0 ulp, barring overflow and underflow
+/// - `c01`: at most 0 ulp, barring overflow and underflow
+/// - `c11`: at most 10.01 ulp, barring overflow and underflow
+/// - `c21`: at most 10.01 ulp, barring overflow and underflow
+/// - `c02`: at most 11.01 ulp, barring overflow and underflow
+/// - `c12`: at most 10.01 ulp, barring overflow and underflow
+/// - `c22`: at most 10.01 ulp, barring overflow and underflow
+/// - `c03`: at most 11.01 ulp, barring overflow and underflow
+/// - `c13`: at most 10.01 ulp, barring overflow and underflow
+/// - `c23`: at most 11.01 ulp, barring overflow and underflow
 ///
 /// From: problem (e), stated there.
 #[kernel(
@@ -898,20 +898,20 @@ pub struct QuarticCubicQuarticAtRest {
 ///
 /// # Error
 ///
-/// - `c00`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c10`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c20`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c01`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c02`: at most 0 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c11`: at most 10.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c21`: at most 10.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c12`: at most 11.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c22`: at most 11.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c03`: at most 12.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c13`: at most 11.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c23`: at most 12.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c04`: at most 13.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
-/// - `c24`: at most 13.01 ulp, barring overflow and underflow, while the terms of each `compensated!` slice cancel by less than 2^40
+/// - `c00`: at most 0 ulp, barring overflow and underflow
+/// - `c10`: at most 0 ulp, barring overflow and underflow
+/// - `c20`: at most 0 ulp, barring overflow and underflow
+/// - `c01`: at most 0 ulp, barring overflow and underflow
+/// - `c02`: at most 0 ulp, barring overflow and underflow
+/// - `c11`: at most 10.01 ulp, barring overflow and underflow
+/// - `c21`: at most 10.01 ulp, barring overflow and underflow
+/// - `c12`: at most 11.01 ulp, barring overflow and underflow
+/// - `c22`: at most 11.01 ulp, barring overflow and underflow
+/// - `c03`: at most 12.01 ulp, barring overflow and underflow
+/// - `c13`: at most 11.01 ulp, barring overflow and underflow
+/// - `c23`: at most 12.01 ulp, barring overflow and underflow
+/// - `c04`: at most 13.01 ulp, barring overflow and underflow
+/// - `c24`: at most 13.01 ulp, barring overflow and underflow
 ///
 /// From: problem (f), stated there.
 #[kernel(

@@ -89,6 +89,24 @@ fn products_keep_their_bounds() {
 }
 
 #[test]
+fn quotients_keep_their_bounds() {
+    let safe = |x: f64| (2f64.powi(-430)..2f64.powi(430)).contains(&x.abs());
+    for (a, b) in wide_pairs().into_iter().filter(|(a, b)| safe(a.round()) && safe(b.round())) {
+        let expected = Float::with_val(400, exact_wide(a) / exact_wide(b));
+        assert_close(a / b, expected, 15.0 + 56.0 * f64::EPSILON, &|| format!("{a:?} / {b:?}"));
+    }
+}
+
+#[test]
+fn roots_keep_their_bounds() {
+    for (a, _) in wide_pairs().into_iter().filter(|(a, _)| a.round() > 2f64.powi(-400)) {
+        assert_close(a.sqrt(), Float::with_val(400, exact_wide(a).sqrt()), 25.0 / 8.0, &|| format!("sqrt({a:?})"));
+    }
+    assert_eq!(Wide::from(0.0).sqrt(), Wide::from(0.0));
+    assert!(Wide::from(-1.0).sqrt().round().is_nan());
+}
+
+#[test]
 fn negation_is_exact() {
     for (a, _) in wide_pairs() {
         assert_eq!(exact_wide(-a), -exact_wide(a));

@@ -163,8 +163,7 @@ impl Evaluation {
             }
         }
         if !self.covered {
-            text += "The bound does not cover this point: a step over- or underflows, or the terms of a `compensated!` \
-                     slice cancel by 2^40 or more.\n";
+            text += "The bound does not cover this point: a step over- or underflows.\n";
         }
         text
     }

@@ -44,7 +44,7 @@ pub fn apply(builder: &mut Builder, polynomial: &Polynomial, unknown: Var) -> Re
     builder.tower.facts.set_variable(unknown, Sign::POSITIVE);
     // the iterate counts as exact here: its residual is what is being computed
     let (content, wide) = builder.wide(&polynomial)?;
-    let slice = builder.graph.compensated(wide, Sign::ANY);
+    let slice = builder.graph.residual(wide);
     let content = builder.graph.constant(&content);
     let residual = builder.graph.mul(content, slice);
     let slope = slope(builder, &coefficients, unknown, turn)?;

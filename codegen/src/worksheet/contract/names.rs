@@ -20,6 +20,7 @@ const TAKEN: &[&str] = &[
     "checked",
     "closedform",
     "compensated",
+    "residual",
     "core",
     "evaluate",
     "f128",

@@ -1,0 +1,120 @@
+//! The arithmetic of compiled kernels: `Real` for `f64`.
+
+use crate::exact;
+use crate::float;
+use crate::measured::Measured;
+use crate::real::Real;
+use crate::root;
+
+// Every method is forced inline: a batch loop vectorises only when its whole body is in sight.
+impl Real for f64 {
+    type Wide = Measured;
+
+    #[inline(always)]
+    fn literal(&self, value: f64) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn pi(&self) -> Self {
+        core::f64::consts::PI
+    }
+
+    #[inline(always)]
+    fn nan(&self) -> Self {
+        f64::NAN
+    }
+
+    #[inline(always)]
+    fn add(&self, other: &Self) -> Self {
+        self + other
+    }
+
+    #[inline(always)]
+    fn sub(&self, other: &Self) -> Self {
+        self - other
+    }
+
+    #[inline(always)]
+    fn mul(&self, other: &Self) -> Self {
+        self * other
+    }
+
+    #[inline(always)]
+    fn div(&self, other: &Self) -> Self {
+        self / other
+    }
+
+    #[inline(always)]
+    fn neg(&self) -> Self {
+        -self
+    }
+
+    #[inline(always)]
+    fn sqrt(&self) -> Self {
+        float::sqrt(*self)
+    }
+
+    #[inline(always)]
+    fn abs(&self) -> Self {
+        f64::abs(*self)
+    }
+
+    #[inline(always)]
+    fn is_finite(&self) -> bool {
+        f64::is_finite(*self)
+    }
+
+    fn positive_root(&self, coefficients: &[Self]) -> Self {
+        root::positive_root(coefficients)
+    }
+
+    #[inline(always)]
+    fn two_sum(&self, other: &Self) -> Measured {
+        Measured::two_sum(*self, *other)
+    }
+
+    #[inline(always)]
+    fn two_product(&self, other: &Self) -> Measured {
+        Measured::two_product(*self, *other)
+    }
+
+    #[inline(always)]
+    fn wide_neg(wide: &Measured) -> Measured {
+        -*wide
+    }
+
+    #[inline(always)]
+    fn wide_add_exact(wide: &Measured, exact: &Self) -> Measured {
+        *wide + *exact
+    }
+
+    #[inline(always)]
+    fn wide_add(left: &Measured, right: &Measured) -> Measured {
+        *left + *right
+    }
+
+    #[inline(always)]
+    fn wide_mul_exact(wide: &Measured, exact: &Self) -> Measured {
+        *wide * *exact
+    }
+
+    #[inline(always)]
+    fn wide_mul(left: &Measured, right: &Measured) -> Measured {
+        *left * *right
+    }
+
+    #[inline(always)]
+    fn compensated(wide: &Measured, threshold: f64, operands: &[&Self], terms: &[u8]) -> Self {
+        if wide.settled(threshold) {
+            wide.value().round()
+        } else {
+            exact::polynomial(operands, |operand| *operand, terms).to_f64()
+        }
+    }
+
+    #[inline(always)]
+    fn residual(wide: &Measured) -> Self {
+        wide.value().round()
+    }
+}

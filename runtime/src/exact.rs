@@ -1,0 +1,178 @@
+//! Polynomials of `f64` operands, exactly: a sum of products as one long integer.
+//!
+//! Every finite `f64` is an integer times a power of two, hence so is every product of them, and a sum of such products
+//! is one integer in units of the least power. It fits in a fixed number of words for every finite operand, so nothing
+//! over- or underflows, nothing is rounded, and nothing allocates. It is slow, and meant for the rare point at which a
+//! polynomial cancels so far that double-double cannot tell its digits.
+
+use crate::float;
+use crate::soft::Soft;
+
+/// The most factors of a product.
+pub(crate) const MAX_FACTORS: usize = 16;
+
+/// Bits of a significand.
+const SIGNIFICAND: i32 = f64::MANTISSA_DIGITS as i32;
+
+/// Words of a product of significands.
+const PRODUCT_WORDS: usize = MAX_FACTORS * SIGNIFICAND as usize / 64 + 1;
+
+/// Words of a sum: exponents of a product span at most 2098 a factor; two more for signs and carries of 2^64 terms.
+const SUM_WORDS: usize = MAX_FACTORS * 2098 / 64 + 3;
+
+/// A sum of products: `terms` one after another, each a head byte, the number of its factors with the high bit set where
+/// the product is subtracted, and then the positions of its factors among `operands`.
+///
+/// NaN unless all operands, as `value` reads them, are finite.
+#[cold]
+#[inline(never)]
+pub(crate) fn polynomial<T>(operands: &[&T], value: fn(&T) -> f64, terms: &[u8]) -> Soft {
+    if !operands.iter().all(|operand| value(operand).is_finite()) {
+        return Soft::NAN;
+    }
+    let factor = |position: u8| operands.get(usize::from(position)).map(|operand| value(operand));
+    let products = || Terms(terms).filter_map(|(negative, factors)| Product::of(&factor, negative, factors));
+    let Some(lowest) = products().map(|product| product.exponent).min() else { return Soft::ZERO };
+    let mut sum = Sum([0; SUM_WORDS]);
+    products().for_each(|product| sum.add(&product, product.exponent - lowest));
+    sum.leading(lowest)
+}
+
+/// The terms, each its sign and the positions of its factors.
+struct Terms<'a>(&'a [u8]);
+
+impl<'a> Iterator for Terms<'a> {
+    type Item = (bool, &'a [u8]);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let (&head, rest) = self.0.split_first()?;
+        let (factors, rest) = rest.split_at_checked(usize::from(head & 0x7f))?;
+        self.0 = rest;
+        Some((head & 0x80 != 0, factors))
+    }
+}
+
+/// A product of significands, and the exponent of its unit.
+struct Product {
+    negative: bool,
+    words: [u64; PRODUCT_WORDS],
+    exponent: i32,
+}
+
+impl Product {
+    /// `None` for zero.
+    fn of(factor: &impl Fn(u8) -> Option<f64>, negative: bool, factors: &[u8]) -> Option<Self> {
+        let mut product = Product { negative, words: [0; PRODUCT_WORDS], exponent: 0 };
+        *product.words.first_mut()? = 1;
+        for &position in factors {
+            let operand = factor(position)?;
+            let (significand, exponent) = float::significand(operand);
+            if significand == 0 {
+                return None;
+            }
+            product.negative ^= operand < 0.0;
+            product.exponent += exponent;
+            let mut carry = 0;
+            for word in &mut product.words {
+                let wide = u128::from(*word) * u128::from(significand) + u128::from(carry);
+                *word = wide as u64;
+                carry = (wide >> 64) as u64;
+            }
+        }
+        Some(product)
+    }
+}
+
+/// A long integer, in two's complement, least word first.
+struct Sum([u64; SUM_WORDS]);
+
+impl Sum {
+    /// Adds a product, shifted up.
+    fn add(&mut self, product: &Product, shift: i32) {
+        let (skip, bits) = ((shift / 64) as usize, (shift % 64) as u32);
+        let complement = if product.negative { u64::MAX } else { 0 };
+        let (mut below, mut carry) = (0_u64, product.negative);
+        let words = product.words.iter().copied().chain(core::iter::repeat(0));
+        for (word, next) in self.0.iter_mut().skip(skip).zip(words) {
+            let shifted = (u128::from(next) << 64 | u128::from(below)) >> (64 - bits);
+            below = next;
+            let (first, one) = word.overflowing_add(shifted as u64 ^ complement);
+            let (second, other) = first.overflowing_add(carry.into());
+            *word = second;
+            carry = one | other;
+        }
+    }
+
+    /// The leading bits; `lowest` is the exponent of the unit.
+    fn leading(&self, lowest: i32) -> Soft {
+        let negative = self.0.last().is_some_and(|word| word >> 63 != 0);
+        let mut carry = negative;
+        let magnitude = self.0.map(|word| {
+            let (word, overflow) = (if negative { !word } else { word }).overflowing_add(carry.into());
+            carry = overflow;
+            word
+        });
+        let Some(top) = magnitude.iter().rposition(|word| *word != 0) else { return Soft::ZERO };
+        let word = |below: usize| top.checked_sub(below).and_then(|at| magnitude.get(at)).copied().unwrap_or(0);
+        let space = word(0).leading_zeros();
+        let upper = u128::from(word(0)) << 64 | u128::from(word(1));
+        let below = u128::from(word(2)) << space;
+        let bits = upper << space | below >> 64;
+        let cut = below as u64 != 0 || magnitude.iter().take(top.saturating_sub(2)).any(|word| *word != 0);
+        let exponent = lowest + 64 * (top as i32 - 1) - space as i32;
+        Soft::new(negative, bits, exponent.into(), cut)
+    }
+}
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::*;
+
+    /// `x*y - z*w`
+    const DIFFERENCE: &[u8] = &[2, 0, 1, 0x82, 2, 3];
+
+    fn sum(operands: &[f64], terms: &[u8]) -> f64 {
+        polynomial(&operands.iter().collect::<std::vec::Vec<_>>(), |operand| *operand, terms).to_f64()
+    }
+
+    fn difference(operands: [f64; 4]) -> f64 {
+        sum(&operands, DIFFERENCE)
+    }
+
+    #[test]
+    fn what_cancels_is_exact() {
+        let next = 1.0 + f64::EPSILON;
+        assert_eq!(difference([next, next, 1.0 + 2.0 * f64::EPSILON, 1.0]), f64::EPSILON * f64::EPSILON);
+        assert_eq!(difference([3.0, 5.0, 15.0, 1.0]), 0.0);
+        assert_eq!(difference([3.0, 5.0, 16.0, 1.0]), -1.0);
+    }
+
+    #[test]
+    fn nothing_over_or_underflows_on_the_way() {
+        assert_eq!(difference([f64::MAX, f64::MAX, f64::MAX, f64::MAX]), 0.0);
+        assert_eq!(difference([f64::MAX, 0.5, f64::MAX, 0.25]), f64::MAX / 4.0);
+        assert_eq!(difference([f64::MAX, 2.0, 0.0, 1.0]), f64::INFINITY);
+        let tiny = f64::from_bits(1);
+        assert_eq!(difference([tiny, 1.0, tiny, 2.0]), -tiny);
+        assert_eq!(difference([tiny, 0.5, 0.0, 0.0]), 0.0);
+        assert_eq!(difference([tiny, 0.75, 0.0, 0.0]), tiny);
+        // the small product survives where the large ones cancel
+        assert_eq!(sum(&[1e300, 1e-300], &[2, 0, 0, 0x82, 0, 0, 1, 1]), 1e-300);
+    }
+
+    #[test]
+    fn what_is_not_finite_has_no_value() {
+        assert!(difference([f64::INFINITY, 1.0, 1.0, 1.0]).is_nan());
+        assert!(difference([1.0, f64::NAN, 1.0, 1.0]).is_nan());
+    }
+
+    #[test]
+    fn every_product_fits() {
+        let terms: [u8; 17] = core::array::from_fn(|i| if i == 0 { 16 } else { 0 });
+        for (operand, value) in
+            [(f64::MAX, f64::INFINITY), (f64::from_bits(1), 0.0), (-2.0, 65536.0), (0.5, 2f64.powi(-16))]
+        {
+            assert_eq!(sum(&[operand], &terms), value);
+        }
+    }
+}

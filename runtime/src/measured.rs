@@ -1,0 +1,91 @@
+//! `Measured`: double-double that knows how large its terms are, hence when it cannot tell its own digits.
+
+use core::ops::{Add, Mul, Neg};
+
+use crate::wide::Wide;
+
+/// A slice in double-double, and the sum of the magnitudes of its terms.
+///
+/// With u = 2^-53 and an n that the slice's operations make, counted in `closedform-syntax`: |value - exact| is at most
+/// n u^2 size. The theorems of [`Wide`] give it for each operation, where products add [`UNDERFLOW`] to the size: that
+/// much of it, times u^2, is more than a product loses when parts of it underflow. Overflow, and operands too large to
+/// split, end in a size that is infinite or a value that is NaN: both are [unsettled](Self::settled).
+#[derive(Clone, Copy, Debug)]
+pub struct Measured {
+    value: Wide,
+    size: f64,
+}
+
+/// 2^-960: times u^2 still some 2^8 times what one underflow loses.
+const UNDERFLOW: f64 = f64::from_bits((1023 - 960) << 52);
+
+impl Measured {
+    /// `a + b`, exactly.
+    #[inline(always)]
+    pub(crate) fn two_sum(a: f64, b: f64) -> Self {
+        Measured { value: Wide::two_sum(a, b), size: a.abs() + b.abs() }
+    }
+
+    /// `a * b`, exactly.
+    #[inline(always)]
+    pub(crate) fn two_product(a: f64, b: f64) -> Self {
+        Measured { value: Wide::two_product(a, b), size: (a * b).abs() + UNDERFLOW }
+    }
+
+    /// The value in double-double.
+    #[inline(always)]
+    pub(crate) fn value(self) -> Wide {
+        self.value
+    }
+
+    /// Whether the value is larger than `threshold` times its size; never of NaN.
+    #[inline(always)]
+    pub(crate) fn settled(self, threshold: f64) -> bool {
+        self.value.round().abs() > threshold * self.size
+    }
+}
+
+impl Neg for Measured {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Measured { value: -self.value, size: self.size }
+    }
+}
+
+impl Add<f64> for Measured {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: f64) -> Self {
+        Measured { value: self.value + other, size: self.size + other.abs() }
+    }
+}
+
+impl Add for Measured {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Measured { value: self.value + other.value, size: self.size + other.size }
+    }
+}
+
+impl Mul<f64> for Measured {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: f64) -> Self {
+        Measured { value: self.value * other, size: self.size * other.abs() + UNDERFLOW }
+    }
+}
+
+impl Mul for Measured {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Measured { value: self.value * other.value, size: self.size * other.size + UNDERFLOW }
+    }
+}

@@ -1,0 +1,412 @@
+//! `Soft`: floating point in integers, with 128 bits and an exponent that never runs out.
+//!
+//! What `faithful` falls back on where double-double would over- or underflow. Every operation is right to 2^-120, a sum
+//! of that relative to its terms; exponents fit in 64 bits, which no program of fewer than some 2^50 steps leaves.
+
+use core::cmp::Ordering;
+
+use crate::exact;
+use crate::float;
+use crate::real::Real;
+use crate::root;
+
+/// A number `bits * 2^exponent`, the leading bit of `bits` set, or the negative of it; or zero, or not a number.
+#[derive(Clone, Copy, Debug)]
+pub struct Soft {
+    kind: Kind,
+    negative: bool,
+    bits: u128,
+    exponent: i64,
+    /// Whether the number that these bits cut off is larger, by less than one unit.
+    cut: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Nan,
+    Zero,
+    Normal,
+}
+
+impl Soft {
+    pub(crate) const ZERO: Self = Soft { kind: Kind::Zero, negative: false, bits: 0, exponent: 0, cut: false };
+    pub(crate) const NAN: Self = Soft { kind: Kind::Nan, ..Self::ZERO };
+
+    /// From any bits: shifted so that the leading one is set.
+    pub(crate) fn new(negative: bool, bits: u128, exponent: i64, cut: bool) -> Self {
+        if bits == 0 {
+            return Self::ZERO;
+        }
+        let space = bits.leading_zeros();
+        Soft { kind: Kind::Normal, negative, bits: bits << space, exponent: exponent - i64::from(space), cut }
+    }
+
+    /// From 256 bits, of which 128 are kept.
+    fn of_both(negative: bool, (high, low): (u128, u128), exponent: i64) -> Self {
+        if high == 0 {
+            return Self::new(negative, low, exponent, false);
+        }
+        let space = high.leading_zeros();
+        let bits = high << space | if space == 0 { 0 } else { low >> (128 - space) };
+        Soft { kind: Kind::Normal, negative, bits, exponent: exponent + 128 - i64::from(space), cut: low << space != 0 }
+    }
+
+    /// Exact; NaN unless finite.
+    pub(crate) fn from_f64(x: f64) -> Self {
+        if !x.is_finite() {
+            return Self::NAN;
+        }
+        let (significand, exponent) = float::significand(x);
+        Self::new(x < 0.0, significand.into(), exponent.into(), false)
+    }
+
+    pub(crate) fn is_zero(self) -> bool {
+        self.kind == Kind::Zero
+    }
+
+    /// The exponent of the leading bit; 0 of zero and NaN.
+    fn leading(self) -> i64 {
+        if self.kind == Kind::Normal { self.exponent + 127 } else { 0 }
+    }
+
+    /// The nearest `f64`; a tie goes to even.
+    pub(crate) fn to_f64(self) -> f64 {
+        match self.kind {
+            Kind::Nan => f64::NAN,
+            Kind::Zero => 0.0,
+            Kind::Normal if self.negative => -self.rounded(),
+            Kind::Normal => self.rounded(),
+        }
+    }
+
+    /// The nearest `f64` to the magnitude.
+    fn rounded(self) -> f64 {
+        let leading = self.leading();
+        if leading > 1023 {
+            return f64::INFINITY;
+        }
+        // A subnormal number has fewer bits; one below half the smallest has none.
+        let bits = 53 + (leading + 1022).min(0);
+        let Ok(bits @ 0..) = u32::try_from(bits) else { return 0.0 };
+        let kept = if bits == 0 { 0 } else { (self.bits >> (128 - bits)) as u64 };
+        let rest = self.bits << bits;
+        let half = 1_u128 << 127;
+        let up = rest > half || (rest == half && (self.cut || kept & 1 != 0));
+        // The leading bit of what is kept carries into the exponent's field.
+        let field = (leading + 1022).max(0) as u64;
+        f64::from_bits((field << 52) + kept + u64::from(up))
+    }
+
+    /// The nearest `f64`, and the nearest to what it leaves off.
+    pub(crate) fn split(self) -> (f64, f64) {
+        let high = self.to_f64();
+        (high, self.plus(Self::from_f64(-high)).to_f64())
+    }
+
+    fn plus(self, other: Self) -> Self {
+        match (self.kind, other.kind) {
+            (Kind::Nan, _) | (_, Kind::Nan) => return Self::NAN,
+            (Kind::Zero, _) => return other,
+            (_, Kind::Zero) => return self,
+            (Kind::Normal, Kind::Normal) => {}
+        }
+        let ordered = self.order_of_magnitudes(other) != Ordering::Less;
+        let (large, small) = if ordered { (self, other) } else { (other, self) };
+        // In 256 bits, of which the first is kept free for the carry.
+        let (high, low) = (large.bits >> 1, large.bits << 127);
+        let (small_high, small_low) = shifted(small.bits, (large.exponent - small.exponent).saturating_add(1));
+        let sum = if large.negative == small.negative {
+            let (low, carry) = low.overflowing_add(small_low);
+            (high.wrapping_add(small_high).wrapping_add(carry.into()), low)
+        } else {
+            let (low, borrow) = low.overflowing_sub(small_low);
+            (high.wrapping_sub(small_high).wrapping_sub(borrow.into()), low)
+        };
+        Self::of_both(large.negative, sum, large.exponent - 127)
+    }
+
+    fn times(self, other: Self) -> Self {
+        match (self.kind, other.kind) {
+            (Kind::Nan, _) | (_, Kind::Nan) => Self::NAN,
+            (Kind::Zero, _) | (_, Kind::Zero) => Self::ZERO,
+            (Kind::Normal, Kind::Normal) => {
+                let product = full_product(self.bits, other.bits);
+                Self::of_both(self.negative ^ other.negative, product, self.exponent + other.exponent)
+            }
+        }
+    }
+
+    /// Twice corrected from the quotient of the leading parts, each time by the residual's.
+    fn over(self, other: Self) -> Self {
+        if self.kind != Kind::Normal || other.kind != Kind::Normal {
+            return if self.kind == Kind::Zero && other.kind == Kind::Normal { Self::ZERO } else { Self::NAN };
+        }
+        let (a, b) = (self.scaled(), other.scaled());
+        let divisor = b.to_f64();
+        let mut quotient = Self::ZERO;
+        for _ in 0..3 {
+            let residual = a.plus(quotient.times(b).negated());
+            quotient = quotient.plus(Self::from_f64(residual.to_f64() / divisor));
+        }
+        Soft { exponent: quotient.exponent + self.leading() - other.leading(), ..quotient }
+    }
+
+    /// Twice corrected from the root of the leading part, each time by the residual by twice the root.
+    fn root(self) -> Self {
+        match self.kind {
+            Kind::Normal if !self.negative => {}
+            Kind::Zero => return Self::ZERO,
+            _ => return Self::NAN,
+        }
+        let half = self.leading().div_euclid(2);
+        let radicand = Soft { exponent: self.exponent - 2 * half, ..self };
+        let first = float::sqrt(radicand.to_f64());
+        let mut root = Self::from_f64(first);
+        for _ in 0..2 {
+            let residual = radicand.plus(root.times(root).negated());
+            root = root.plus(Self::from_f64(residual.to_f64() / (2.0 * first)));
+        }
+        Soft { exponent: root.exponent + half, ..root }
+    }
+
+    /// The same bits, as a number from 1 to 2.
+    fn scaled(self) -> Self {
+        Soft { exponent: -127, ..self }
+    }
+
+    fn negated(self) -> Self {
+        Soft { negative: !self.negative, ..self }
+    }
+
+    fn order_of_magnitudes(self, other: Self) -> Ordering {
+        (self.exponent, self.bits).cmp(&(other.exponent, other.bits))
+    }
+
+    /// -1, 0 or 1.
+    fn sign(self) -> i8 {
+        match self.kind {
+            Kind::Normal if self.negative => -1,
+            Kind::Normal => 1,
+            _ => 0,
+        }
+    }
+}
+
+/// `bits * 2^128`, shifted down by `distance` places, those below lost.
+fn shifted(bits: u128, distance: i64) -> (u128, u128) {
+    match u32::try_from(distance) {
+        Ok(distance @ 1..=127) => (bits >> distance, bits << (128 - distance)),
+        Ok(distance @ 128..=255) => (0, bits >> (distance - 128)),
+        _ => (0, 0),
+    }
+}
+
+/// All 256 bits of a product, the upper half first.
+fn full_product(a: u128, b: u128) -> (u128, u128) {
+    let halves = |x: u128| (x >> 64, x & u128::from(u64::MAX));
+    let ((a1, a0), (b1, b0)) = (halves(a), halves(b));
+    let (middle, carry) = (a1 * b0).overflowing_add(a0 * b1);
+    let (low, more) = (a0 * b0).overflowing_add(middle << 64);
+    let high = (a1 * b1) + (middle >> 64) + (u128::from(carry) << 64) + u128::from(more);
+    (high, low)
+}
+
+impl PartialEq for Soft {
+    fn eq(&self, other: &Self) -> bool {
+        self.partial_cmp(other) == Some(Ordering::Equal)
+    }
+}
+
+impl PartialOrd for Soft {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        if self.kind == Kind::Nan || other.kind == Kind::Nan {
+            return None;
+        }
+        let magnitudes = match self.sign() {
+            0 => Ordering::Equal,
+            1 => self.order_of_magnitudes(*other),
+            _ => other.order_of_magnitudes(*self),
+        };
+        Some(self.sign().cmp(&other.sign()).then(magnitudes))
+    }
+}
+
+impl Real for Soft {
+    type Wide = Soft;
+
+    fn literal(&self, value: f64) -> Self {
+        Soft::from_f64(value)
+    }
+
+    fn pi(&self) -> Self {
+        // the first 128 bits
+        Soft::new(false, 0xc90f_daa2_2168_c234_c4c6_628b_80dc_1cd1, -126, true)
+    }
+
+    fn nan(&self) -> Self {
+        Soft::NAN
+    }
+
+    fn add(&self, other: &Self) -> Self {
+        self.plus(*other)
+    }
+
+    fn sub(&self, other: &Self) -> Self {
+        self.plus(other.negated())
+    }
+
+    fn mul(&self, other: &Self) -> Self {
+        self.times(*other)
+    }
+
+    fn div(&self, other: &Self) -> Self {
+        self.over(*other)
+    }
+
+    fn neg(&self) -> Self {
+        self.negated()
+    }
+
+    fn sqrt(&self) -> Self {
+        self.root()
+    }
+
+    fn abs(&self) -> Self {
+        Soft { negative: false, ..*self }
+    }
+
+    fn is_finite(&self) -> bool {
+        self.kind != Kind::Nan
+    }
+
+    /// To the digits of `f64`: the iterate, which a `residual!` corrects.
+    fn positive_root(&self, coefficients: &[Self]) -> Self {
+        if coefficients.iter().any(|c| c.kind == Kind::Nan) {
+            return Soft::NAN;
+        }
+        let term =
+            |c: &Self| (c.kind == Kind::Normal).then(|| root::Term { negative: c.negative, exponent: c.leading() });
+        let moved = |c: &Self, by: i64| Soft { exponent: c.exponent.saturating_add(by), ..*c }.to_f64();
+        match root::scaled_root(coefficients, term, moved) {
+            Some((root, bound)) => {
+                let root = Soft::from_f64(root);
+                Soft { exponent: root.exponent + bound, ..root }
+            }
+            None => Soft::NAN,
+        }
+    }
+
+    fn two_sum(&self, other: &Self) -> Self {
+        self.plus(*other)
+    }
+
+    fn two_product(&self, other: &Self) -> Self {
+        self.times(*other)
+    }
+
+    fn wide_neg(wide: &Self) -> Self {
+        wide.negated()
+    }
+
+    fn wide_add_exact(wide: &Self, exact: &Self) -> Self {
+        wide.plus(*exact)
+    }
+
+    fn wide_add(left: &Self, right: &Self) -> Self {
+        left.plus(*right)
+    }
+
+    fn wide_mul_exact(wide: &Self, exact: &Self) -> Self {
+        wide.times(*exact)
+    }
+
+    fn wide_mul(left: &Self, right: &Self) -> Self {
+        left.times(*right)
+    }
+
+    /// Exact, but for the bits that are cut off; every operand is an `f64`.
+    fn compensated(_: &Self, _: f64, operands: &[&Self], terms: &[u8]) -> Self {
+        exact::polynomial(operands, |operand| operand.to_f64(), terms)
+    }
+
+    fn residual(wide: &Self) -> Self {
+        *wide
+    }
+}
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::*;
+
+    /// Pairs of numbers of all exponents, and pairs that are close.
+    fn pairs() -> impl Iterator<Item = (f64, f64)> {
+        let edges = [0.0, f64::from_bits(1), f64::MIN_POSITIVE, 1.0, 1.5, 3.0, 1.0 - f64::EPSILON / 2.0, 0.1, f64::MAX];
+        let edges =
+            move || edges.into_iter().flat_map(|x| [x, -x, x.next_up(), x.next_down()]).filter(|x| x.is_finite());
+        let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut random = move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state ^ state >> 29
+        };
+        let random = (0..40_000).map(move |round| {
+            let a = random();
+            let b = match round % 3 {
+                0 => random(),
+                1 => a ^ random() >> (12 + random() % 52),
+                _ => a & !(0x7ff << 52) | (((a >> 52 & 0x7ff) + random() % 120).clamp(60, 2046) - 60) << 52,
+            };
+            (f64::from_bits(a), f64::from_bits(b))
+        });
+        edges().flat_map(move |a| edges().map(move |b| (a, b))).chain(random).filter(|(a, b)| (a - a + b - b) == 0.0)
+    }
+
+    #[track_caller]
+    fn same(soft: Soft, hardware: f64, what: &str) {
+        // Neither infinity nor the sign of zero is known here.
+        let found = soft.to_f64();
+        assert!(found == hardware || found.is_nan() && !hardware.is_finite(), "{what}: {found:e}, not {hardware:e}");
+    }
+
+    #[test]
+    fn one_operation_rounds_as_the_processor_does() {
+        for (a, b) in pairs() {
+            let (x, y) = (Soft::from_f64(a), Soft::from_f64(b));
+            same(x, a, "itself");
+            same(x.add(&y), a + b, &std::format!("{a:e} + {b:e}"));
+            same(x.sub(&y), a - b, &std::format!("{a:e} - {b:e}"));
+            same(x.mul(&y), a * b, &std::format!("{a:e} * {b:e}"));
+            same(x.div(&y), a / b, &std::format!("{a:e} / {b:e}"));
+            same(Real::sqrt(&x), a.sqrt(), &std::format!("sqrt({a:e})"));
+            assert_eq!(x.partial_cmp(&y), a.partial_cmp(&b), "{a:e}, {b:e}");
+        }
+    }
+
+    #[test]
+    fn operations_undo_each_other_to_all_but_some_bits() {
+        for (a, b) in pairs().filter(|(a, b)| *a != 0.0 && *b != 0.0) {
+            let (x, y) = (Soft::from_f64(a), Soft::from_f64(b).abs());
+            let root = Real::sqrt(&y);
+            for (back, origin) in [(x.div(&y).mul(&y), x), (root.mul(&root), y)] {
+                let error = back.sub(&origin).div(&origin).abs();
+                assert!(error <= Soft::new(false, 1, -121, false), "{a:e}, {b:e}: {:e}", error.to_f64());
+            }
+        }
+    }
+
+    #[test]
+    fn exponents_do_not_run_out() {
+        let huge = Soft::from_f64(f64::MAX);
+        let tower = (0..40).fold(huge, |power, _| power.mul(&power));
+        assert_eq!(tower.to_f64(), f64::INFINITY);
+        assert_eq!(huge.div(&tower).to_f64(), 0.0);
+        let back = (0..40).fold(tower, |power, _| Real::sqrt(&power));
+        assert_eq!(back.to_f64(), f64::MAX);
+    }
+
+    #[test]
+    fn splits_add_up() {
+        let third = Soft::from_f64(1.0).div(&Soft::from_f64(3.0));
+        let (high, low) = third.split();
+        assert_eq!((high, low), (1.0 / 3.0, 1.0 / 3.0 * 0.5_f64.powi(54)));
+    }
+}
