@@ -22,15 +22,14 @@ const POINTS: usize = 200;
 /// When the reference of a kernel has no values on its domain.
 pub fn files(
     worksheet: &Path,
-    runtime: &Path,
+    root: &Path,
     generated: &Generated,
 ) -> miette::Result<BTreeMap<&'static str, BTreeMap<String, String>>> {
     let name = worksheet.file_stem().map(|stem| stem.to_string_lossy().replace('_', "-")).unwrap_or_default();
-    let runtime = runtime.canonicalize().into_diagnostic()?;
     let mut sources = generated.files.clone();
     let index = sources.remove("mod.rs").unwrap_or_default();
     sources.insert("lib.rs".to_owned(), library(&index));
-    let manifest = MANIFEST.replace("NAME", &name).replace("RUNTIME", &runtime.display().to_string());
+    let manifest = MANIFEST.replace("NAME", &name).replace("RUNTIME", &runtime(root));
     let mut files = BTreeMap::new();
     files.insert("", BTreeMap::from([("Cargo.toml".to_owned(), manifest)]));
     let judges = JUDGES.replace("CRATE", &name.replace('-', "_"));
@@ -38,6 +37,16 @@ pub fn files(
     files.insert("tests", tests);
     files.insert("src", sources);
     Ok(files)
+}
+
+/// The runtime as a dependency: the project's own, or the one that this command was built beside, or the published one.
+fn runtime(root: &Path) -> String {
+    let beside = [root, Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))].map(|root| root.join("runtime"));
+    let found = beside.iter().find_map(|folder| folder.canonicalize().ok());
+    found.map_or_else(
+        || format!("{:?}", env!("CARGO_PKG_VERSION")),
+        |folder| format!("{{ path = {:?} }}", folder.display().to_string()),
+    )
 }
 
 fn library(index: &str) -> String {
@@ -53,7 +62,7 @@ version = "0.1.0"
 edition = "2024"
 
 [dependencies]
-closedform = { path = "RUNTIME" }
+closedform = RUNTIME
 
 [workspace]
 "#;

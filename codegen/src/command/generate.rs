@@ -76,7 +76,7 @@ fn own_crate(args: &Args, input: &Path, out: &Path, root: &Path) -> miette::Resu
         );
     }
     let generated = worker::run(&Source::Worksheet(input.to_owned()))?;
-    let crate_files = crate_text::files(input, &root.join("runtime"), &generated)?;
+    let crate_files = crate_text::files(input, root, &generated)?;
     for (below, files) in &crate_files {
         write(&out.join(below), files)?;
     }
