@@ -86,6 +86,7 @@ fn owned(expr: &Expr) -> TokenStream {
         Expr::Sqrt(inner) => real("sqrt", &[borrowed(inner)]),
         Expr::Abs(inner) => real("abs", &[borrowed(inner)]),
         Expr::Binary { op, left, right } => real(method(*op), &[borrowed(left), borrowed(right)]),
+        Expr::Extreme { largest, items } => extreme(*largest, items),
         Expr::If { condition: test, then, otherwise } => {
             let (test, then, otherwise) = (condition(test), owned(then), owned(otherwise));
             quote!(if #test { #then } else { #otherwise })
@@ -96,6 +97,22 @@ fn owned(expr: &Expr) -> TokenStream {
             real("positive_root", &[quote!(#context), quote!(&[#(#coefficients),*])])
         }
     }
+}
+
+/// The first of the largest, or smallest, ones: selections, which leave no branch in the way of vectorisation.
+fn extreme(largest: bool, items: &[Expr]) -> TokenStream {
+    let [best, next] = ["best", "next"].map(|name| Ident::new(name, Span::mixed_site()));
+    let order = if largest { quote!(>) } else { quote!(<) };
+    let mut values = items.iter().map(owned);
+    let first = values.next();
+    quote! {{
+        let #best = #first;
+        #(
+            let #next = #values;
+            let #best = if #next #order #best { #next } else { #best };
+        )*
+        #best
+    }}
 }
 
 fn literal(value: f64) -> TokenStream {

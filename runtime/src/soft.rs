@@ -357,7 +357,10 @@ mod tests {
             };
             (f64::from_bits(a), f64::from_bits(b))
         });
-        edges().flat_map(move |a| edges().map(move |b| (a, b))).chain(random).filter(|(a, b)| a.is_finite() && b.is_finite())
+        edges()
+            .flat_map(move |a| edges().map(move |b| (a, b)))
+            .chain(random)
+            .filter(|(a, b)| a.is_finite() && b.is_finite())
     }
 
     #[track_caller]

@@ -53,11 +53,13 @@ pub const SUFFIX: &str = "write float literals without a suffix";
 pub const HUGE: &str = "this literal is beyond the range of f64";
 pub const LITERAL: &str = "only float literals are part of the kernel language";
 pub const OPERATOR: &str = "not an operator of the kernel language: use + - * / and unary -";
-pub const CALL: &str =
-    "unknown function: kernels know sqrt(e), abs(e), compensated!(e), residual!(e) and positive_root([..])";
+pub const CALL: &str = "unknown function: kernels know sqrt(e), abs(e), max(e, ..), min(e, ..), compensated!(e), \
+                         residual!(e) and positive_root([..])";
 pub const BANG: &str = "this is a macro: write an exclamation mark before the parenthesis";
 pub const ONE_ARGUMENT: &str = "this function takes one argument";
-pub const METHOD: &str = "methods are not part of the kernel language: write sqrt(e), abs(e), or plain + - * /";
+pub const TWO_ARGUMENTS: &str = "this function takes two arguments or more";
+pub const METHOD: &str =
+    "methods are not part of the kernel language: write sqrt(e), abs(e), max(e, e), or plain + - * /";
 pub const POWER: &str = "powers are not part of the kernel language: write the product out, as in x * x, or sqrt(x)";
 pub const CAST: &str = "everything is f64: remove the cast";
 pub const REFERENCE: &str = "values are plain f64: remove the reference";

@@ -93,6 +93,8 @@ impl<'r> Reader<'r> {
         match name.as_deref() {
             Some("sqrt") => self.argument(call).map(|operand| kernel::Expr::Sqrt(operand.into())),
             Some("abs") => self.argument(call).map(|operand| kernel::Expr::Abs(operand.into())),
+            Some("max") => self.extreme(call, true),
+            Some("min") => self.extreme(call, false),
             Some("positive_root") => self.root(call),
             Some("require" | "compensated" | "residual") => self.refuse_with(&call.func, error::BANG),
             _ => self.refuse_with(&call.func, error::CALL),
@@ -104,6 +106,14 @@ impl<'r> Reader<'r> {
             return self.refuse_with(call, error::ONE_ARGUMENT);
         }
         self.expression(call.args.first()?)
+    }
+
+    fn extreme(&mut self, call: &ExprCall, largest: bool) -> Option<kernel::Expr> {
+        if call.args.len() < 2 {
+            return self.refuse_with(call, error::TWO_ARGUMENTS);
+        }
+        let items: Vec<_> = call.args.iter().map(|item| self.expression(item)).collect();
+        Some(kernel::Expr::Extreme { largest, items: items.into_iter().collect::<Option<_>>()? })
     }
 
     fn root(&mut self, call: &ExprCall) -> Option<kernel::Expr> {

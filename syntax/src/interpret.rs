@@ -93,6 +93,7 @@ impl<'a, A: Arithmetic> Machine<'a, A> {
             Expr::Sqrt(inner) => self.arithmetic.sqrt(&self.value(inner)),
             Expr::Abs(inner) => self.arithmetic.abs(&self.value(inner)),
             Expr::Binary { op, left, right } => self.binary(*op, &self.value(left), &self.value(right)),
+            Expr::Extreme { largest, items } => self.extreme(*largest, items),
             Expr::If { condition, then, otherwise } => self.value(if self.holds(condition) { then } else { otherwise }),
             Expr::Compensated(slice) => fold_compensated(self.arithmetic, slice, &|leaf| self.value(leaf)),
             Expr::Residual(slice) => fold_residual(self.arithmetic, slice, &|leaf| self.value(leaf)),
@@ -101,6 +102,14 @@ impl<'a, A: Arithmetic> Machine<'a, A> {
                 self.arithmetic.positive_root(&coefficients)
             }
         }
+    }
+
+    /// The first of the largest, or smallest, ones.
+    fn extreme(&self, largest: bool, items: &[Expr]) -> A::Value {
+        let wanted = if largest { Ordering::Greater } else { Ordering::Less };
+        let mut values = items.iter().map(|item| self.value(item));
+        let first = values.next().expect("two values or more");
+        values.fold(first, |best, next| if self.arithmetic.compare(&next, &best) == Some(wanted) { next } else { best })
     }
 
     fn binary(&self, op: BinaryOp, left: &A::Value, right: &A::Value) -> A::Value {

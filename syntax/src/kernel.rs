@@ -141,6 +141,13 @@ pub enum Expr {
     Sqrt(Box<Expr>),
     /// `abs(e)`
     Abs(Box<Expr>),
+    /// `max(e, e, ..)` or `min(e, e, ..)`
+    Extreme {
+        /// Whether it is the largest one.
+        largest: bool,
+        /// Two values or more.
+        items: Vec<Expr>,
+    },
     /// `if condition { then } else { otherwise }`
     If {
         /// The condition.

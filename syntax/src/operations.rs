@@ -2,7 +2,7 @@
 
 use crate::kernel::{BinaryOp, Condition, Expr, Kernel};
 
-/// How many operations one evaluation takes; signs, magnitudes and comparisons are free.
+/// How many operations one evaluation takes; signs, magnitudes, comparisons and choices are free.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Operations {
     /// Additions and subtractions.
@@ -41,6 +41,7 @@ impl Operations {
                 self.expression(left);
                 self.expression(right);
             }
+            Expr::Extreme { items, .. } => items.iter().for_each(|item| self.expression(item)),
             Expr::If { condition, then, otherwise } => {
                 self.condition(condition);
                 self.expression(then);

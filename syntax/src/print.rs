@@ -35,7 +35,10 @@ fn text(expr: &Expr, outer: u8) -> String {
         Expr::Abs(inner) => return format!("abs({})", text(inner, 0)),
         Expr::Compensated(slice) => return format!("compensated!({})", text(&slice.value, 0)),
         Expr::Residual(inner) => return format!("residual!({})", text(inner, 0)),
-        Expr::PositiveRoot(coefficients) => return root_text(coefficients),
+        Expr::Extreme { largest, items } => {
+            return format!("{}({})", if *largest { "max" } else { "min" }, list_text(items));
+        }
+        Expr::PositiveRoot(coefficients) => return format!("positive_root([{}])", list_text(coefficients)),
         Expr::If { condition, then, otherwise } => {
             let (then, otherwise) = (text(then, 0), text(otherwise, 0));
             (0, format!("if {} {{ {then} }} else {{ {otherwise} }}", condition_text(condition)))
@@ -49,9 +52,8 @@ fn text(expr: &Expr, outer: u8) -> String {
     if strength < outer { format!("({text})") } else { text }
 }
 
-fn root_text(coefficients: &[Expr]) -> String {
-    let coefficients: Vec<_> = coefficients.iter().map(|coefficient| text(coefficient, 0)).collect();
-    format!("positive_root([{}])", coefficients.join(", "))
+fn list_text(items: &[Expr]) -> String {
+    items.iter().map(|item| text(item, 0)).collect::<Vec<_>>().join(", ")
 }
 
 fn operator(op: BinaryOp) -> (u8, char) {

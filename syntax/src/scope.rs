@@ -5,7 +5,7 @@ use proc_macro2::Ident;
 use crate::error::{self, Errors};
 use crate::kernel::Name;
 
-const RESERVED: [&str; 7] = ["sqrt", "abs", "positive_root", "compensated", "residual", "require", "f64"];
+const RESERVED: [&str; 9] = ["sqrt", "abs", "max", "min", "positive_root", "compensated", "residual", "require", "f64"];
 
 /// Inputs followed by steps, in order.
 #[derive(Default)]

@@ -136,20 +136,25 @@ fn call(ast: &Ast) -> Result<Expr, LowerError> {
     match (name, arguments) {
         ("sqrt", [operand]) => Ok(Expr::Sqrt(Box::new(lower(operand)?))),
         ("abs", [operand]) => Ok(Expr::Abs(Box::new(lower(operand)?))),
+        ("max" | "min", [_, _, ..]) => {
+            let items = arguments.iter().map(lower).collect::<Result<_, _>>()?;
+            Ok(Expr::Extreme { largest: name == "max", items })
+        }
         ("positive_root", [polynomial, unknown]) => match unknown.as_symbol() {
             Some(unknown) => {
                 Ok(Expr::PositiveRoot { polynomial: Box::new(lower(polynomial)?), unknown: unknown.to_owned() })
             }
             None => Err(unsupported(unknown, "an unknown that is no variable", "write positive_root(polynomial, x)")),
         },
-        ("sqrt" | "abs" | "positive_root", _) => Err(LowerError {
+        ("sqrt" | "abs" | "max" | "min" | "positive_root", _) => Err(LowerError {
             what: format!("`{name}` has {} arguments", arguments.len()),
-            remedy: "write sqrt(x), abs(x) or positive_root(polynomial, x)".to_owned(),
+            remedy: "write sqrt(x), abs(x), max(x, y, ..), min(x, y, ..) or positive_root(polynomial, x)".to_owned(),
             span: ast.span.clone(),
         }),
         _ => Err(LowerError {
             what: format!("unknown function `{name}`"),
-            remedy: "known are sqrt, abs and positive_root; define any other function in the worksheet".to_owned(),
+            remedy: "known are sqrt, abs, max, min and positive_root; define any other function in the worksheet"
+                .to_owned(),
             span: ast.span.clone(),
         }),
     }

@@ -27,6 +27,13 @@ pub enum Expr {
     Sqrt(Box<Expr>),
     /// The absolute value.
     Abs(Box<Expr>),
+    /// The largest or the smallest of some values.
+    Extreme {
+        /// Whether it is the largest one.
+        largest: bool,
+        /// The values.
+        items: Vec<Expr>,
+    },
     /// The one positive root of a polynomial in `unknown`.
     PositiveRoot {
         /// The polynomial, as an expression.
@@ -96,7 +103,7 @@ impl Expr {
             Self::Symbol(name) => {
                 names.insert(name.clone());
             }
-            Self::Sum(items) | Self::Product(items) => {
+            Self::Sum(items) | Self::Product(items) | Self::Extreme { items, .. } => {
                 for item in items {
                     item.collect_symbols(names);
                 }
@@ -115,14 +122,16 @@ impl Expr {
     pub fn has_power_of_sum(&self) -> bool {
         match self {
             Self::Rational(_) | Self::Pi | Self::Symbol(_) => false,
-            Self::Sum(items) | Self::Product(items) => items.iter().any(Self::has_power_of_sum),
+            Self::Sum(items) | Self::Product(items) | Self::Extreme { items, .. } => {
+                items.iter().any(Self::has_power_of_sum)
+            }
             Self::Power(base, _) => matches!(**base, Self::Sum(_)) || base.has_power_of_sum(),
             Self::Sqrt(base) | Self::Abs(base) => base.has_power_of_sum(),
             Self::PositiveRoot { polynomial, .. } => polynomial.has_power_of_sum(),
         }
     }
 
-    /// The derivative by a variable; `None` where an absolute value or a polynomial root depends on it.
+    /// The derivative by a variable; `None` where an absolute value, a choice or a polynomial root depends on it.
     #[must_use]
     pub fn derivative(&self, by: &str) -> Option<Self> {
         if !self.symbols().contains(by) {
@@ -139,7 +148,7 @@ impl Expr {
                 base.derivative(by)?,
             ])),
             Self::Sqrt(base) => Some(base.derivative(by)?.over(Self::integer(2).times(self.clone()))),
-            Self::Abs(_) | Self::PositiveRoot { .. } => None,
+            Self::Abs(_) | Self::Extreme { .. } | Self::PositiveRoot { .. } => None,
         }
     }
 

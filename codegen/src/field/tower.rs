@@ -47,6 +47,11 @@ pub enum TowerError {
         "uses positive_root() inside another expression: give the root a kernel of its own and take it as an input"
     )]
     NestedRoot,
+    /// A choice inside another expression.
+    #[error(
+        "uses max() or min() inside another expression: give the choice a kernel of its own and take it as an input"
+    )]
+    NestedExtreme,
     /// A root of something that is no polynomial in its unknown.
     #[error("asks for the positive_root() of something that is no polynomial in its unknown, free of square roots")]
     NoPolynomial,
@@ -183,6 +188,7 @@ impl Tower {
                 let base = self.canonical(base)?;
                 self.abs(&base)
             }
+            Expr::Extreme { .. } => Err(TowerError::NestedExtreme),
             Expr::PositiveRoot { .. } => Err(TowerError::NestedRoot),
         }
     }

@@ -123,11 +123,29 @@ fn outputs(builder: &mut Builder, expressions: &[Expr], references: &[Definition
     }
     let mut elements = Vec::new();
     for (expression, reference) in expressions.iter().zip(references) {
-        let element = builder.tower.canonical(expression);
-        elements.push(element.map_err(|cause| KernelError::Tower { function: reference.name.clone(), cause })?);
+        for item in items(expression) {
+            let element = builder.tower.canonical(item);
+            elements.push(element.map_err(|cause| KernelError::Tower { function: reference.name.clone(), cause })?);
+        }
     }
     let function = references.first().map(|reference| reference.name.clone()).unwrap_or_default();
-    stabilise(builder, &elements).map_err(|cause| KernelError::Tower { function, cause })
+    let nodes = stabilise(builder, &elements).map_err(|cause| KernelError::Tower { function, cause })?;
+    let mut nodes = nodes.into_iter();
+    let mut joined = |expression: &Expr| match expression {
+        Expr::Extreme { largest, items } => {
+            Some(builder.graph.extreme(*largest, nodes.by_ref().take(items.len()).collect()))
+        }
+        _ => nodes.next(),
+    };
+    Ok(expressions.iter().filter_map(&mut joined).collect())
+}
+
+/// The closed forms that a result chooses from, mostly one.
+fn items(expression: &Expr) -> &[Expr] {
+    match expression {
+        Expr::Extreme { items, .. } => items,
+        form => std::slice::from_ref(form),
+    }
 }
 
 fn positive_root(builder: &mut Builder, polynomial: &Expr, unknown: &str, function: &str) -> Result<Node, KernelError> {

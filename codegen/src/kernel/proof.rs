@@ -67,11 +67,29 @@ fn tower(contract: &KernelContract) -> Result<Tower, KernelError> {
 }
 
 fn same_value(contract: &KernelContract, output: &Expr, reference: &Expr) -> Result<bool, ProofError> {
+    if let Expr::Extreme { largest, items } = reference {
+        return same_extreme(contract, output, *largest, items);
+    }
     let mut tower = tower(contract)?;
     let no_form = |cause| ProofError::NoForm { kernel: contract.name.clone(), cause };
     let expected = tower.canonical(reference).map_err(no_form)?;
     let actual = tower.canonical(output).map_err(no_form)?;
     Ok(expected == actual)
+}
+
+/// The same choice, of values that are the same one by one.
+fn same_extreme(
+    contract: &KernelContract,
+    output: &Expr,
+    largest: bool,
+    expected: &[Expr],
+) -> Result<bool, ProofError> {
+    let Expr::Extreme { largest: found, items } = output else { return Ok(false) };
+    let mut same = *found == largest && items.len() == expected.len();
+    for (item, expected) in items.iter().zip(expected) {
+        same = same && same_value(contract, item, expected)?;
+    }
+    Ok(same)
 }
 
 /// The iterate's polynomial is the reference's, and the result leaves a root of it where it is.
@@ -105,7 +123,7 @@ fn choices_in(expr: &Source) -> usize {
         Source::Compensated(_) => 0,
         Source::Binary { left, right, .. } => choices_in(left) + choices_in(right),
         Source::If { then, otherwise, .. } => 1 + choices_in(then) + choices_in(otherwise),
-        Source::PositiveRoot(list) => list.iter().map(choices_in).sum(),
+        Source::Extreme { items: list, .. } | Source::PositiveRoot(list) => list.iter().map(choices_in).sum(),
     }
 }
 
@@ -155,6 +173,9 @@ impl Reader<'_> {
                 self.next += 1;
                 let (then, otherwise) = (self.value(then), self.value(otherwise));
                 if take { then } else { otherwise }
+            }
+            Source::Extreme { largest, items } => {
+                Expr::Extreme { largest: *largest, items: items.iter().map(|item| self.value(item)).collect() }
             }
             Source::PositiveRoot(coefficients) => {
                 let terms = coefficients.iter().enumerate().map(|(power, coefficient)| {

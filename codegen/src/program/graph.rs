@@ -91,6 +91,10 @@ pub enum Op {
     Sqrt(Node),
     /// One of two values.
     If(Condition, Node, Node),
+    /// The largest of some values.
+    Max(Vec<Node>),
+    /// The smallest of some values.
+    Min(Vec<Node>),
     /// A polynomial that may cancel, to all digits.
     Compensated(Wide),
     /// A polynomial at an iterate of its root, in double-double.
@@ -335,6 +339,14 @@ impl Graph {
         self.push(Op::If(condition, then, otherwise), sign, error)
     }
 
+    /// The largest or smallest of some values: no farther from the true one, relative to it, than the worst of them is
+    /// from its own.
+    pub fn extreme(&mut self, largest: bool, items: Vec<Node>) -> Node {
+        let worst = items.iter().map(|&item| self.error(item)).fold(0.0, f64::max);
+        let sign = items.iter().map(|&item| self.sign(item)).reduce(Sign::or).unwrap_or(Sign::ANY);
+        self.push(if largest { Op::Max(items) } else { Op::Min(items) }, sign, worst)
+    }
+
     /// A polynomial to all digits; its leaves count as exact.
     pub fn compensated(&mut self, wide: Wide, sign: Sign) -> Node {
         self.push(Op::Compensated(wide), sign, COMPENSATED)
@@ -374,7 +386,7 @@ impl Graph {
                 nodes
             }
             Op::Compensated(wide) | Op::Residual(wide) => wide.leaves(),
-            Op::PositiveRoot(coefficients) => coefficients.clone(),
+            Op::Max(nodes) | Op::Min(nodes) | Op::PositiveRoot(nodes) => nodes.clone(),
         }
     }
 }

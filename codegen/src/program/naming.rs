@@ -86,6 +86,8 @@ fn stem(op: &Op) -> &'static str {
         Op::If(..) => "chosen",
         Op::Compensated(_) => "cancelling",
         Op::Residual(_) => "remainder",
+        Op::Max(_) => "largest",
+        Op::Min(_) => "smallest",
         Op::PositiveRoot(_) => "start",
     }
 }

@@ -101,6 +101,10 @@ impl<'g> Printer<'g> {
         format!("if {condition} {{ {then} }} else {{ {} }}", self.text(otherwise).flat())
     }
 
+    fn list(&self, nodes: &[Node]) -> String {
+        nodes.iter().map(|&node| self.text(node).flat()).collect::<Vec<_>>().join(", ")
+    }
+
     fn slice(&self, name: &str, wide: &Wide, indent: usize) -> String {
         let inner = self.wide(wide);
         let flat = inner.flat();
@@ -152,10 +156,9 @@ impl<'g> Printer<'g> {
             Op::If(condition, a, b) => Text::atom(self.flat_choice(condition, *a, *b)),
             Op::Compensated(wide) => Text::atom(format!("compensated!({})", self.wide(wide).flat())),
             Op::Residual(wide) => Text::atom(format!("residual!({})", self.wide(wide).flat())),
-            Op::PositiveRoot(coefficients) => {
-                let list: Vec<String> = coefficients.iter().map(|&c| self.text(c).flat()).collect();
-                Text::atom(format!("positive_root([{}])", list.join(", ")))
-            }
+            Op::Max(items) => Text::atom(format!("max({})", self.list(items))),
+            Op::Min(items) => Text::atom(format!("min({})", self.list(items))),
+            Op::PositiveRoot(coefficients) => Text::atom(format!("positive_root([{}])", self.list(coefficients))),
         }
     }
 

@@ -129,6 +129,119 @@ pub fn step_speed(
     if u >= 0.0 { 0.5 * (root + u) / n } else { 2.0 * a * length / (root - u) }
 }
 
+/// What limits a cut of three axes: the largest n/a of them, the inverse of the acceleration along the cut that the axis allows.
+///
+/// ```text
+/// mt_limit(nx,ny,nz,ax,ay,az):=max(nx/ax,ny/ay,nz/az)
+/// ```
+///
+/// # Inputs
+///
+/// - `n_x` (`nx`), in no unit: magnitude of the first component of the unit vector of the cut
+/// - `n_y` (`ny`), in no unit: magnitude of the second component
+/// - `n_z` (`nz`), in no unit: magnitude of the third component
+/// - `a_x` (`ax`), in mm/s^2: acceleration limit of the first axis
+/// - `a_y` (`ay`), in mm/s^2: acceleration limit of the second axis
+/// - `a_z` (`az`), in mm/s^2: acceleration limit of the third axis
+///
+/// # Domain
+///
+/// All inputs are finite; NaN outside of:
+///
+/// - `nx >= 0`
+/// - `ny >= 0`
+/// - `nz >= 0`
+/// - `ax > 0`
+/// - `ay > 0`
+/// - `az > 0`
+///
+/// At the edges: an axis with n = 0 limits nothing; 0 without any motion; take the magnitude of an n of a cut that runs backward.
+///
+/// # Error
+///
+/// - at most 0.5 ulp, barring overflow and underflow
+///
+/// From: the least of the speeds that the axes allow.
+#[kernel(
+    family = "milling_time",
+    maxima = "mt_limit(nx,ny,nz,ax,ay,az):=max(nx/ax,ny/ay,nz/az)",
+    latex = "\\mathrm{mt}_{\\mathrm{limit}} = \\max\\left(\\frac{\\mathrm{nx}}{\\mathrm{ax}}, \\frac{\\mathrm{ny}}{\\mathrm{ay}}, \\frac{\\mathrm{nz}}{\\mathrm{az}}\\right)",
+    source = "the least of the speeds that the axes allow",
+    rules(),
+    bound = 0.5,
+    result(worksheet = "mt_limit", unit = "s^2/mm"),
+)]
+pub fn limit_of_axes(
+    #[input(maxima = "nx", unit = "1", typical(0.001, 1.0))] n_x: f64,
+    #[input(maxima = "ny", unit = "1", typical(0.001, 1.0))] n_y: f64,
+    #[input(maxima = "nz", unit = "1", typical(0.001, 1.0))] n_z: f64,
+    #[input(maxima = "ax", unit = "mm/s^2", typical(10.0, 10000.0))] a_x: f64,
+    #[input(maxima = "ay", unit = "mm/s^2", typical(10.0, 10000.0))] a_y: f64,
+    #[input(maxima = "az", unit = "mm/s^2", typical(10.0, 10000.0))] a_z: f64,
+) -> f64 {
+    require!(n_x >= 0.0, "nx >= 0");
+    require!(n_y >= 0.0, "ny >= 0");
+    require!(n_z >= 0.0, "nz >= 0");
+    require!(a_x > 0.0, "ax > 0");
+    require!(a_y > 0.0, "ay > 0");
+    require!(a_z > 0.0, "az > 0");
+    max(n_x / a_x, n_y / a_y, n_z / a_z)
+}
+
+/// Speed along the cut in one step: the largest with which every axis keeps its acceleration limit, and the feed is not exceeded.
+///
+/// ```text
+/// mt_cut_speed(W,r,L,F):=min(F,sqrt(L/r+W^2/4)+W/2)
+/// ```
+///
+/// Branch: the + root; the other one is negative.
+///
+/// # Inputs
+///
+/// - `w` (`W`), in mm/s: speed along the cut in the step before, 0 in the first step
+/// - `r` (`r`), in s^2/mm: the largest n/a of the axes
+/// - `length` (`L`), in mm: length of the step along the cut; the seed's is 1 mm
+/// - `feed` (`F`), in mm/s: largest speed along the cut
+///
+/// # Domain
+///
+/// All inputs are finite; NaN outside of:
+///
+/// - `W >= 0`
+/// - `r > 0`
+/// - `L > 0`
+/// - `F > 0`
+///
+/// At the edges: sqrt(L/r) from rest, if the feed allows it; a cut shorter than a step is one step of its own length L.
+///
+/// # Error
+///
+/// - at most 5 ulp, barring overflow and underflow
+///
+/// From: the quadratic in X for the least speed of the axes; the feed limit is not in the seed.
+#[kernel(
+    family = "milling_time",
+    maxima = "mt_cut_speed(W,r,L,F):=min(F,sqrt(L/r+W^2/4)+W/2)",
+    latex = "\\mathrm{mt}_{\\mathrm{cut},\\mathrm{speed}} = \\min\\left(F, \\sqrt{\\frac{L}{r}+\\frac{W^{2}}{4}}+\\frac{W}{2}\\right)",
+    source = "the quadratic in X for the least speed of the axes; the feed limit is not in the seed",
+    rules("factored"),
+    bound = 5.0,
+    result(worksheet = "mt_cut_speed", unit = "mm/s"),
+)]
+pub fn cut_speed(
+    #[input(maxima = "W", unit = "mm/s", typical(0.01, 300.0))] w: f64,
+    #[input(maxima = "r", unit = "s^2/mm", typical(0.0001, 0.1))] r: f64,
+    #[input(maxima = "L", unit = "mm", typical(0.01, 1.0))] length: f64,
+    #[input(maxima = "F", unit = "mm/s", typical(1.0, 300.0))] feed: f64,
+) -> f64 {
+    require!(w >= 0.0, "W >= 0");
+    require!(r > 0.0, "r > 0");
+    require!(length > 0.0, "L > 0");
+    require!(feed > 0.0, "F > 0");
+    let root = sqrt(r * (w * w * r + 4.0 * length));
+    min(feed, 0.5 * (root + w * r) / r)
+}
+
 /// Time of a step of the length L at the speed X.
 ///
 /// ```text

@@ -15,7 +15,7 @@ pub mod turnaround;
 pub mod waypoints;
 
 /// Every kernel, for tools that know none by name.
-pub static ALL: [&Kernel; 67] = [
+pub static ALL: [&Kernel; 69] = [
     &five_segment::by_accelerations::KERNEL,
     &five_segment::ki_without_middle::KERNEL,
     &five_segment::by_times::KERNEL,
@@ -29,6 +29,8 @@ pub static ALL: [&Kernel; 67] = [
     &fly_axis::overhead_of_t_out::KERNEL,
     &milling_time::direction::KERNEL,
     &milling_time::step_speed::KERNEL,
+    &milling_time::limit_of_axes::KERNEL,
+    &milling_time::cut_speed::KERNEL,
     &milling_time::step_time::KERNEL,
     &milling_time::constant_acceleration::KERNEL,
     &milling_time::cut_time::KERNEL,

@@ -75,7 +75,9 @@ pub enum ReferenceMistake {
     },
     /// A function that no kernel can compute.
     #[error("`{worksheet}` calls `{name}`, which kernels cannot compute")]
-    #[diagnostic(help("kernels know + - * / ^, sqrt(x), abs(x) and positive_root(polynomial, x)"))]
+    #[diagnostic(help(
+        "kernels know + - * / ^, sqrt(x), abs(x), max(x, y), min(x, y) and positive_root(polynomial, x)"
+    ))]
     UnknownFunction {
         /// The function.
         worksheet: String,
@@ -87,7 +89,9 @@ pub enum ReferenceMistake {
     },
     /// Not arithmetic at all.
     #[error("`{worksheet}` is not a closed form")]
-    #[diagnostic(help("kernels know + - * / ^, sqrt(x), abs(x) and positive_root(polynomial, x)"))]
+    #[diagnostic(help(
+        "kernels know + - * / ^, sqrt(x), abs(x), max(x, y), min(x, y) and positive_root(polynomial, x)"
+    ))]
     NotArithmetic {
         /// The function.
         worksheet: String,
@@ -179,6 +183,7 @@ impl<'a> Body<'a> {
     fn call(&mut self, expression: &'a Expr) {
         match expression.as_call() {
             Some(("sqrt" | "abs", [argument])) => self.expression(argument),
+            Some(("max" | "min", items @ [_, _, ..])) => items.iter().for_each(|item| self.expression(item)),
             Some(("positive_root", [polynomial, variable])) => self.root(polynomial, variable),
             Some((name, _)) => {
                 let (worksheet, name) = (self.definition.name.clone(), name.to_owned());

@@ -1,0 +1,8 @@
+use closedform::kernel;
+
+#[kernel]
+pub fn f(x: f64) -> f64 {
+    max(x)
+}
+
+fn main() {}
