@@ -45,7 +45,8 @@ pub fn compare(folder: &Path, files: &BTreeMap<String, String>) -> io::Result<Ve
     Ok(differences)
 }
 
-fn diff(name: &str, old: &str, new: &str) -> String {
+/// What is different, as a unified diff.
+pub fn diff(name: &str, old: &str, new: &str) -> String {
     let diff = TextDiff::from_lines(old, new);
     diff.unified_diff()
         .context_radius(2)

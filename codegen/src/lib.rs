@@ -14,5 +14,6 @@ pub mod program;
 pub mod root;
 pub mod rust;
 pub mod stable;
+pub mod verdict;
 pub mod worker;
 pub mod worksheet;

@@ -10,7 +10,12 @@ pub fn folder() -> PathBuf {
 
 /// Names of all files there that end in `.extension`, without that ending, sorted.
 pub fn families(extension: &str) -> Vec<String> {
-    let files = fs::read_dir(folder()).expect("maxima-ref/ can be listed");
+    families_in("", extension)
+}
+
+/// Those of a folder in it.
+pub fn families_in(below: &str, extension: &str) -> Vec<String> {
+    let files = fs::read_dir(folder().join(below)).expect("maxima-ref/ can be listed");
     let paths = files.map(|file| file.expect("maxima-ref/ can be listed").path());
     let of_kind = paths.filter(|path| path.extension().is_some_and(|found| found == extension));
     let mut names: Vec<String> = of_kind.filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned())).collect();

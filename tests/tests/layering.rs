@@ -22,7 +22,7 @@ const CRATES: [(&str, &str); 9] = [
 const CRATES_IN_TESTS: [(&str, &str); 1] = [("closedform-derive", "closedform")];
 
 /// What the stages of the generator may name of one another: the printer, `rust`, decides nothing.
-const STAGES: [(&str, &str); 7] = [
+const STAGES: [(&str, &str); 8] = [
     ("field", "algebra"),
     ("field", "expression"),
     ("program", "field"),
@@ -30,6 +30,7 @@ const STAGES: [(&str, &str); 7] = [
     ("stable", "algebra"),
     ("stable", "field"),
     ("stable", "program"),
+    ("verdict", "worksheet"),
 ];
 
 /// What users of kernels never build.
@@ -88,7 +89,7 @@ fn only_algebra_names_symbolica() {
 #[test]
 fn stages_name_each_other_as_allowed() {
     let files = workspace::files();
-    let stages = ["expression", "algebra", "field", "stable", "program", "rust"];
+    let stages = ["expression", "algebra", "field", "stable", "program", "rust", "verdict"];
     let edges = |stage: &str| -> Vec<Edge> {
         let named = layering::modules_named(&files, stage).into_iter();
         named.map(|name| (stage.to_owned(), name)).collect()

@@ -1,8 +1,8 @@
 //! `closedform check`: the generated kernels are what the references say, and with `--maxima` what Maxima says today.
 
 use super::generate::{kernels, worksheets};
-use super::readme;
 use super::verify::worst_of_all;
+use super::{readme, verdicts};
 use crate::catalogue::Catalogue;
 use crate::folder::{self, Difference};
 use crate::worker::{self, Source};
@@ -16,7 +16,7 @@ use thiserror::Error;
 /// Check that everything generated is fresh and proved
 #[derive(Debug, ClapArgs)]
 pub struct Args {
-    /// Run the worksheets in Maxima, and hold kernels and golden values against what it derives
+    /// Run the worksheets in Maxima, and hold kernels, golden values and verdicts against what it derives
     #[arg(long)]
     maxima: bool,
 }
@@ -38,8 +38,13 @@ enum CheckError {
 ///
 /// # Errors
 ///
-/// When something is stale, unproved, or not what Maxima derives.
+/// When something is stale, unproved, or not what Maxima derives, or a verdict is wrong.
 pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
+    if args.maxima {
+        verdicts::check_live(&worksheets(root))?;
+    } else {
+        verdicts::check_list(&worksheets(root))?;
+    }
     fresh(root)?;
     println!("fresh: {} holds what the references generate, all kernels proved", kernels(root).display());
     if args.maxima {

@@ -1,12 +1,13 @@
-//! `closedform derive`: Maxima runs the worksheets; reference expressions and golden values are written anew.
+//! `closedform derive`: Maxima runs the worksheets; references, golden values and verdicts are written anew.
 
 use super::generate::worksheets;
+use super::verdicts::Page;
 use crate::worksheet::derive::{Options, derive};
 use crate::worksheet::family::family_names;
 use clap::Args as ClapArgs;
 use std::path::{Path, PathBuf};
 
-/// Run worksheets in Maxima and write their reference expressions and golden values
+/// Run worksheets in Maxima and write their reference expressions and golden values, and the verdicts on the scans
 #[derive(Debug, ClapArgs)]
 pub struct Args {
     /// The families; all of the folder if none is named
@@ -20,7 +21,7 @@ pub struct Args {
 ///
 /// # Errors
 ///
-/// When a worksheet asks, fails, loops or does not fulfil its contract; nothing is written then.
+/// When a worksheet asks, fails, loops or does not fulfil its contract, or a verdict is wrong; nothing is written then.
 pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
     let folder = args.folder.clone().unwrap_or_else(|| worksheets(root));
     let names = if args.families.is_empty() { family_names(&folder)? } else { args.families.clone() };
@@ -28,9 +29,10 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
     for name in &names {
         derived.push((name, derive(&folder, name, &Options::default())?));
     }
+    let page = Page::of(&folder, &names)?;
     for (name, family) in derived {
         family.write()?;
         println!("{name}: {} reference expressions, {} golden values", family.definitions.len(), family.values.len());
     }
-    Ok(())
+    page.map_or(Ok(()), |page| Ok(page.write()?))
 }

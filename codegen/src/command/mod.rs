@@ -9,4 +9,5 @@ pub mod list;
 pub mod output;
 pub mod readme;
 pub mod show;
+pub mod verdicts;
 pub mod verify;

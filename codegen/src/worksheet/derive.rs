@@ -10,6 +10,7 @@ use std::path::Path;
 
 use closedform_maxima::Definition;
 
+pub use driver::VALUES;
 pub use error::{DeriveError, PointFailure};
 
 use super::contract::{self, Contract, KernelContract};

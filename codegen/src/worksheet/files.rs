@@ -21,7 +21,7 @@ pub struct WriteError {
 }
 
 /// Writes all files; none is replaced before the texts of all are on disk.
-pub(super) fn write_all(files: &[(&Path, &str)]) -> Result<(), WriteError> {
+pub fn write_all(files: &[(&Path, &str)]) -> Result<(), WriteError> {
     let fail = |path: &Path, cause| WriteError { path: path.to_owned(), cause };
     let mut ready = Vec::new();
     for (path, text) in files {

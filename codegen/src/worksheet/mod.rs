@@ -9,8 +9,8 @@ pub mod golden;
 pub mod hexfloat;
 pub mod maxima_process;
 pub mod sample;
-mod source;
+pub mod source;
 mod statements;
 
-pub use files::WriteError;
+pub use files::{WriteError, write_all};
 pub use source::ReadError;

@@ -20,11 +20,11 @@ pub struct ReadError {
 }
 
 /// The text of a file, or why there is none; `remedy` says what to do about it.
-pub(super) fn read(path: &Path, remedy: impl Into<String>) -> Result<String, ReadError> {
+pub fn read(path: &Path, remedy: impl Into<String>) -> Result<String, ReadError> {
     std::fs::read_to_string(path).map_err(|cause| ReadError { path: path.to_owned(), cause, remedy: remedy.into() })
 }
 
 /// A text under its path, for errors that draw carets.
-pub(super) fn named(path: &Path, text: &str) -> NamedSource<String> {
+pub fn named(path: &Path, text: &str) -> NamedSource<String> {
     NamedSource::new(path.display().to_string(), text.to_owned())
 }

@@ -22,8 +22,8 @@ pub(super) struct Task {
 const PROLOGUE: &str = "closedform_say(sconcat(\"version|\", ?\\*autoconf\\-version\\*))$\n\
                         closedform_spell(closedform_value) := string(closedform_value)$\n";
 
-/// What computes golden values.
-const EVALUATE: &str = include_str!("evaluate.mac");
+/// Functions that compute values at points: `closedform_value(expression, symbols, numbers)` and what it needs.
+pub const VALUES: &str = include_str!("evaluate.mac");
 
 /// Statements that say Maxima's version, every result of the contract, and the values of the tasks.
 pub(super) fn driver(contract: &Contract, tasks: &[Task]) -> String {
@@ -32,7 +32,7 @@ pub(super) fn driver(contract: &Contract, tasks: &[Task]) -> String {
         driver += &reference(&result.worksheet, &kernel.inputs);
     }
     if !tasks.is_empty() {
-        driver += EVALUATE;
+        driver += VALUES;
     }
     for (index, task) in tasks.iter().enumerate() {
         driver += &values(index, task);
