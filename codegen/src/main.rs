@@ -1,7 +1,7 @@
 //! The command `closedform`: reads its arguments and says what went wrong.
 
 use clap::{Parser, Subcommand};
-use closedform_codegen::command::{check, derive, eval, generate, list, show, verify};
+use closedform_codegen::command::{check, derive, eval, generate, list, motion, show, verify};
 use closedform_codegen::root::{self, project_root};
 use closedform_codegen::worker::{self, Source};
 use std::path::PathBuf;
@@ -27,6 +27,10 @@ enum Command {
     Show(show::Args),
     Eval(eval::Args),
     Verify(verify::Args),
+    /// Plan a move: times, peaks against limits, and the table that a controller takes
+    Plan(motion::Args),
+    /// The same, with a picture
+    Plot(motion::Args),
     /// What `generate` and `check` run in a process of its own, because it needs Symbolica
     #[command(name = worker::SUBCOMMAND, hide = true)]
     Worker {
@@ -42,7 +46,7 @@ enum Command {
 
 fn main() -> ExitCode {
     match run(Cli::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(code) => code,
         Err(report) => {
             eprintln!("{report:?}");
             ExitCode::FAILURE
@@ -50,16 +54,18 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(cli: Cli) -> miette::Result<()> {
+fn run(cli: Cli) -> miette::Result<ExitCode> {
     let root = || project_root(cli.root.as_deref());
     match cli.command {
-        Command::Generate(args) => generate::run(&args, &root()?),
-        Command::Check(args) => check::run(&args, &root()?),
-        Command::Derive(args) => derive::run(&args, &root()?),
-        Command::List(args) => list::run(&args, &root()?),
-        Command::Show(args) => show::run(&args, &root()?),
-        Command::Eval(args) => eval::run(&args, &root()?),
-        Command::Verify(args) => verify::run(&args, &root()?),
+        Command::Plan(args) => return motion::run("plan", &args, &root()?),
+        Command::Plot(args) => return motion::run("plot", &args, &root()?),
+        Command::Generate(args) => generate::run(&args, &root()?)?,
+        Command::Check(args) => check::run(&args, &root()?)?,
+        Command::Derive(args) => derive::run(&args, &root()?)?,
+        Command::List(args) => list::run(&args, &root()?)?,
+        Command::Show(args) => show::run(&args, &root()?)?,
+        Command::Eval(args) => eval::run(&args, &root()?)?,
+        Command::Verify(args) => verify::run(&args, &root()?)?,
         Command::Worker { output, folder, worksheet, kernels } => {
             let source = match (folder, worksheet, kernels) {
                 (_, Some(worksheet), _) => Source::Worksheet(worksheet),
@@ -67,7 +73,8 @@ fn run(cli: Cli) -> miette::Result<()> {
                 (Some(folder), _, None) => Source::Folder(folder),
                 (None, None, _) => return Err(root::nothing_named()),
             };
-            Ok(worker::work(&source, &output)?)
+            worker::work(&source, &output)?;
         }
     }
+    Ok(ExitCode::SUCCESS)
 }

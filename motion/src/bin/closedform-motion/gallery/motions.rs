@@ -1,0 +1,27 @@
+//! The motions of the README's pictures.
+
+use closedform_motion::Motion;
+use closedform_motion::plan::scan_skip::ScanSkip;
+use closedform_motion::plan::step_move::{StepMove, StepShape};
+use closedform_motion::plan::waypoints::{Problem, Timing, Waypoints};
+
+use crate::error::{Failure, Outcome};
+
+/// Four points in the plane, and the path of a problem through them.
+pub fn waypoints(letter: char) -> Outcome<(Motion, Vec<Vec<f64>>)> {
+    let points = vec![vec![0.0, 0.0], vec![0.2, 0.4], vec![0.7, 0.5], vec![1.0, 0.1]];
+    let problem = Problem::of_letter(letter).ok_or_else(|| Failure::Input(format!("no problem ({letter})")))?;
+    let plan = Waypoints { problem, points: points.clone(), timing: Timing::Speed(1.0) }.plan()?;
+    Ok((plan.motion(), points))
+}
+
+/// The case of 4.1.2.
+pub fn step() -> Outcome<Motion> {
+    let plan = StepMove::new(1e-3, StepShape::Quarter { a3: -0.25, t1: 0.015 }).plan()?;
+    Ok(plan.motion().clone())
+}
+
+/// Two lines with the fastest turn-around, whose optimum is inside.
+pub fn scan() -> Outcome<Motion> {
+    Ok(ScanSkip::new(0.1, 50.0, 2e-4, 2.0, 5e-3, 2).plan()?.motion()?)
+}

@@ -1,0 +1,130 @@
+//! The command `closedform-motion`, which `closedform plan` and `closedform plot` hand on to.
+
+mod error;
+mod five_segment;
+mod gallery;
+mod input;
+mod limits;
+mod milling;
+mod output;
+mod points;
+mod scan_skip;
+mod shown;
+mod step;
+mod summary;
+mod waypoints;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+
+use error::Outcome;
+use output::Output;
+
+/// Plans moves: times, tables for the controller, and pictures
+#[derive(Parser)]
+#[command(name = "closedform", bin_name = "closedform", version)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Plan a move, and print its times and its peaks against the limits
+    #[command(subcommand)]
+    Plan(Kind),
+    /// The same, with a picture in any case: KIND.svg, or what --picture says
+    #[command(subcommand)]
+    Plot(Kind),
+    /// Draw the pictures of the README
+    #[command(hide = true)]
+    Gallery {
+        /// Where to
+        folder: PathBuf,
+    },
+}
+
+#[derive(Subcommand)]
+enum Kind {
+    /// A raster scan that flies along one axis and steps the other while it turns around
+    #[command(allow_negative_numbers = true)]
+    ScanSkip(Request<scan_skip::Inputs>),
+    /// A step in four segments that starts hard and settles gently
+    #[command(allow_negative_numbers = true)]
+    Step(Request<step::Inputs>),
+    /// A step in five segments, symmetric in time
+    #[command(allow_negative_numbers = true)]
+    FiveSegment(Request<five_segment::Inputs>),
+    /// Polynomials through four points or more
+    #[command(allow_negative_numbers = true)]
+    Waypoints(Request<waypoints::Inputs>),
+    /// The time of a G-code file or of a polyline
+    #[command(allow_negative_numbers = true)]
+    Milling(Request<milling::Inputs>),
+}
+
+/// What is known, and what is wanted.
+#[derive(Args)]
+struct Request<T: Args> {
+    #[command(flatten)]
+    inputs: T,
+    #[command(flatten, next_help_heading = "Files")]
+    output: Output,
+}
+
+impl Kind {
+    fn name(&self) -> &'static str {
+        match self {
+            Self::ScanSkip(_) => "scan-skip",
+            Self::Step(_) => "step",
+            Self::FiveSegment(_) => "five-segment",
+            Self::Waypoints(_) => "waypoints",
+            Self::Milling(_) => "milling",
+        }
+    }
+
+    fn output(&mut self) -> &mut Output {
+        match self {
+            Self::ScanSkip(request) => &mut request.output,
+            Self::Step(request) => &mut request.output,
+            Self::FiveSegment(request) => &mut request.output,
+            Self::Waypoints(request) => &mut request.output,
+            Self::Milling(request) => &mut request.output,
+        }
+    }
+
+    /// With a picture, where none is asked for.
+    fn drawn(mut self) -> Self {
+        let name = PathBuf::from(format!("{}.svg", self.name()));
+        self.output().picture.get_or_insert(name);
+        self
+    }
+
+    fn run(mut self) -> Outcome<()> {
+        self.output().check()?;
+        match &self {
+            Self::ScanSkip(request) => scan_skip::run(&request.inputs, &request.output),
+            Self::Step(request) => step::run(&request.inputs, &request.output),
+            Self::FiveSegment(request) => five_segment::run(&request.inputs, &request.output),
+            Self::Waypoints(request) => waypoints::run(&request.inputs, &request.output),
+            Self::Milling(request) => milling::run(&request.inputs, &request.output),
+        }
+    }
+}
+
+fn main() -> ExitCode {
+    let outcome = match Cli::parse().command {
+        Command::Plan(kind) => kind.run(),
+        Command::Plot(kind) => kind.drawn().run(),
+        Command::Gallery { folder } => gallery::run(&folder),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("error: {}", failure.message());
+            ExitCode::from(failure.code())
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! What becomes of a plan: summary, table and picture.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use closedform_motion::plot::{Picture, PlotError, Theme};
+use closedform_motion::table::{self, Heading, TableError, Timing, knots};
+use closedform_motion::{Knot, Motion};
+
+use crate::error::{Failure, Outcome};
+use crate::summary::Summary;
+
+/// Where the results go.
+#[derive(Args, Debug, Clone)]
+pub struct Output {
+    /// Inputs from a TOML file: the same names as the flags, which come before it
+    #[arg(long, value_name = "FILE")]
+    pub file: Option<PathBuf>,
+    /// Write the table there: .csv or .json
+    #[arg(long, value_name = "FILE")]
+    pub table: Option<PathBuf>,
+    /// Write a picture there: .svg or .png
+    #[arg(long, value_name = "FILE")]
+    pub picture: Option<PathBuf>,
+    /// The first column of a PVT table says how long each segment takes, not when it ends
+    #[arg(long)]
+    pub durations: bool,
+    /// How far cubics between the rows of a PVT table may be off, in m
+    #[arg(long, value_name = "M", default_value_t = 1e-9)]
+    pub tolerance: f64,
+    /// Draw the picture for a dark screen
+    #[arg(long)]
+    pub dark: bool,
+    /// Print the summary as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+impl Output {
+    /// The colours of the picture.
+    pub fn theme(&self) -> Theme {
+        if self.dark { Theme::DARK } else { Theme::LIGHT }
+    }
+
+    /// Whether the names of the files say what to write, before anything is written.
+    pub fn check(&self) -> Outcome<()> {
+        let ends = |path: &Path, endings: [&str; 2]| {
+            let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+            endings.iter().any(|one| ending.eq_ignore_ascii_case(one))
+        };
+        if let Some(path) = self.table.as_deref().filter(|path| !ends(path, ["csv", "json"])) {
+            return Err(Failure::from(TableError::Format { path: path.display().to_string() }));
+        }
+        if let Some(path) = self.picture.as_deref().filter(|path| !ends(path, ["svg", "png"])) {
+            return Err(Failure::from(PlotError::Format { path: path.display().to_string() }));
+        }
+        Ok(())
+    }
+
+    /// Writes the table of some knots, if one is asked for.
+    pub fn table(&self, summary: &mut Summary, axes: &[String], rows: impl IntoIterator<Item = Knot>) -> Outcome<()> {
+        let Some(path) = &self.table else { return Ok(()) };
+        let timing = if self.durations { Timing::Duration } else { Timing::Absolute };
+        let heading = Heading { axes: axes.to_vec(), timing };
+        let rows = table::save(path, &heading, rows).map_err(|error| Failure::from(error).at(path))?;
+        summary.file(path, Some(rows));
+        Ok(())
+    }
+
+    /// Writes the table of a motion, if one is asked for.
+    pub fn table_of(&self, summary: &mut Summary, motion: &Motion) -> Outcome<()> {
+        let Some(path) = &self.table else { return Ok(()) };
+        let axes: Vec<String> = motion.axes().iter().map(|axis| axis.name.clone()).collect();
+        let rows = knots(motion, self.tolerance).map_err(|error| Failure::from(error).at(path))?;
+        self.table(summary, &axes, rows)
+    }
+
+    /// Writes the picture, if one is asked for.
+    pub fn picture(&self, summary: &mut Summary, picture: Picture) -> Outcome<()> {
+        let Some(path) = &self.picture else { return Ok(()) };
+        picture.theme(self.theme()).save(path).map_err(|error| Failure::from(error).at(path))?;
+        summary.file(path, None);
+        Ok(())
+    }
+
+    /// Prints the summary.
+    pub fn print(&self, summary: &Summary) {
+        print!("{}", if self.json { summary.json() } else { summary.text() });
+    }
+}

@@ -1,0 +1,106 @@
+//! `step`: a step in four segments that starts hard and settles gently.
+
+use clap::Args;
+use closedform_motion::plan::step_move::{Frame, StepMove, StepShape, StepTime};
+use closedform_motion::plot::Picture;
+use serde::{Deserialize, Serialize};
+
+use crate::error::{Failure, Outcome};
+use crate::input::{merged, need};
+use crate::limits::limits;
+use crate::output::Output;
+use crate::summary::Summary;
+
+/// What is known of the step.
+#[derive(Args, Debug, Clone, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
+pub struct Inputs {
+    /// The whole travel, in m
+    #[arg(long, value_name = "M")]
+    travel: Option<f64>,
+    /// Acceleration with which the settling begins, in m/s², negative: first and last segment make a quarter each; with --t1
+    #[arg(long, value_name = "M/S2")]
+    a3: Option<f64>,
+    /// Time of the second and of the third segment, each, in s; with --a3, or with --ki and --ko
+    #[arg(long, value_name = "S")]
+    t1: Option<f64>,
+    /// Twice the travel of the first segment, as a fraction of the whole; with --ko, or with --t-out
+    #[arg(long, value_name = "FRACTION")]
+    ki: Option<f64>,
+    /// Twice the travel of the last segment, as a fraction of the whole; with --ki
+    #[arg(long, value_name = "FRACTION")]
+    ko: Option<f64>,
+    /// Time of the whole step, in s; with --ki and --ko
+    #[arg(long, value_name = "S")]
+    time: Option<f64>,
+    /// Symmetric frame: time of the second and of the third segment, each, in s; with --ki or --t-ie-skip
+    #[arg(long, value_name = "S")]
+    t_out: Option<f64>,
+    /// Symmetric frame: time of the first and of the last segment, each, in s; with --t-out
+    #[arg(long, value_name = "S")]
+    t_ie_skip: Option<f64>,
+    /// Limit of the velocity, in m/s
+    #[arg(long, value_name = "M/S")]
+    v_max: Option<f64>,
+    /// Limit of the acceleration, in m/s²
+    #[arg(long, value_name = "M/S2")]
+    a_max: Option<f64>,
+    /// Limit of the jerk, in m/s³
+    #[arg(long, value_name = "M/S3")]
+    j_max: Option<f64>,
+}
+
+impl Inputs {
+    fn step(&self) -> Outcome<StepMove> {
+        let travel = need(self.travel, "travel", "the whole travel in m")?;
+        Ok(StepMove { travel, shape: self.shape()?, limits: limits(self.v_max, self.a_max, self.j_max) })
+    }
+
+    fn shape(&self) -> Outcome<StepShape> {
+        match (self.a3, self.t1, self.ki, self.ko, self.time, self.t_out, self.t_ie_skip) {
+            (Some(a3), Some(t1), None, None, None, None, None) => Ok(StepShape::Quarter { a3, t1 }),
+            (None, Some(t1), Some(ki), Some(ko), None, None, None) => {
+                Ok(StepShape::Fractions { ki, ko, time: StepTime::Middle(t1) })
+            }
+            (None, None, Some(ki), Some(ko), Some(time), None, None) => {
+                Ok(StepShape::Fractions { ki, ko, time: StepTime::Total(time) })
+            }
+            (None, None, Some(ki), None, None, Some(t_out), None) => {
+                Ok(StepShape::Symmetric { frame: Frame::Ki(ki), t_out })
+            }
+            (None, None, None, None, None, Some(t_out), Some(t)) => {
+                Ok(StepShape::Symmetric { frame: Frame::TIESkip(t), t_out })
+            }
+            _ => Err(Failure::Input(
+                "the shape of the step is not clear: give a3 and t1, or ki, ko and time (or t1), or t-out and ki (or t-ie-skip)"
+                    .to_owned(),
+            )),
+        }
+    }
+}
+
+/// Plans, writes and prints.
+pub fn run(inputs: &Inputs, output: &Output) -> Outcome<()> {
+    let plan = merged(inputs, output.file.as_deref())?.step()?.plan()?;
+    let mut summary = Summary::new("step");
+    let [t0, t1, _, t4] = plan.times;
+    summary
+        .number("duration", plan.duration(), "s")
+        .number("t0", t0, "s")
+        .because("first segment")
+        .number("t1", t1, "s")
+        .because("second and third segment, each")
+        .number("t4", t4, "s")
+        .because("last segment")
+        .number("a00", plan.a00, "m/s²")
+        .because("before x0")
+        .number("a0", plan.a0, "m/s²")
+        .because("after x0")
+        .number("a3", plan.a3, "m/s²")
+        .because("settling")
+        .peaks_of(plan.motion());
+    output.table_of(&mut summary, plan.motion())?;
+    output.picture(&mut summary, Picture::new(plan.motion()).title("Step in four segments"))?;
+    output.print(&summary);
+    Ok(())
+}

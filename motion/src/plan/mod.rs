@@ -1,0 +1,10 @@
+//! Planners: what is known of a move and the limits of its axes become a plan.
+
+mod check;
+pub mod five_segment;
+pub mod milling;
+pub mod scan_skip;
+mod single;
+pub mod step_move;
+mod units;
+pub mod waypoints;

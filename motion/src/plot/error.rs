@@ -1,0 +1,27 @@
+//! Why there is no picture.
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+pub enum PlotError {
+    /// There is nothing to see.
+    #[error("there is nothing to draw: {what}")]
+    Empty {
+        /// What is missing.
+        what: &'static str,
+    },
+    /// The name of the file does not say what to write.
+    #[error("{path}: a picture is a file that ends in .svg or .png")]
+    Format {
+        /// As given.
+        path: String,
+    },
+    /// It is too large for a PNG.
+    #[error("the picture cannot become a PNG: {why}: write .svg")]
+    Png {
+        /// What is the matter with it.
+        why: String,
+    },
+    /// The file system.
+    #[error("{0}")]
+    Io(#[from] std::io::Error),
+}

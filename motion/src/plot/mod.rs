@@ -1,0 +1,27 @@
+//! Pictures: position, velocity, acceleration and jerk over time with their limits, and the path in the plane.
+//!
+//! A [`Picture`] shows a motion, a [`Chart`] any curves; both make a [`Drawing`], which is SVG or PNG. Between two knots every curve is drawn as the polynomial it is, by one Bezier curve, and jumps are drawn as steps.
+
+mod chart;
+mod curve;
+mod drawing;
+mod error;
+mod file;
+mod frame;
+mod limit;
+mod path;
+mod picture;
+#[cfg(feature = "png")]
+mod png;
+mod quantity;
+mod scale;
+mod svg;
+mod theme;
+mod unit;
+
+pub use chart::{Chart, Series};
+pub use drawing::Drawing;
+pub use error::PlotError;
+pub use picture::{Mark, Panel, Picture};
+pub use theme::Theme;
+pub use unit::with_unit;

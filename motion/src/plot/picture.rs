@@ -1,0 +1,296 @@
+//! The picture of a motion: panels below each other, those over time on one time axis.
+
+use std::path::Path;
+
+use super::curve::curve;
+use super::drawing::{BOLD, Drawing, Stroke, width};
+use super::error::PlotError;
+use super::frame::{FOOT, Frame, HEAD, LABEL, LEFT, RIGHT, WIDTH, head};
+use super::limit::{self, Limit, limits};
+use super::path;
+use super::quantity::Piece;
+use super::scale::{Scale, widened};
+use super::theme::Theme;
+use super::unit::{Unit, axis_unit};
+use crate::extremes::Quantity;
+use crate::motion::{Axis, Motion};
+
+/// How high a panel over time is, in pixels.
+const HEIGHT: f64 = 124.0;
+
+/// Axes share a panel where the panel is no higher than so many times what each of them does there.
+const COMPARABLE: f64 = 12.0;
+
+/// More meetings of segments than this are not marked.
+const MOST_MEETINGS: usize = 40;
+
+/// What a panel shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Panel {
+    /// The second axis over the first.
+    Path,
+    /// Over time.
+    Position,
+    /// Over time, with its limits.
+    Velocity,
+    /// Over time, with its limits.
+    Acceleration,
+    /// Over time, with its limits.
+    Jerk,
+}
+
+/// A point to mark in the path.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mark {
+    /// Of the first axis, in m.
+    pub x: f64,
+    /// Of the second axis, in m.
+    pub y: f64,
+    /// What stands beside it.
+    pub name: String,
+}
+
+/// The picture of a motion.
+#[derive(Debug, Clone)]
+pub struct Picture<'a> {
+    pub(super) motion: &'a Motion,
+    title: String,
+    note: String,
+    panels: Vec<Panel>,
+    pub(super) marks: Vec<Mark>,
+    pub(super) theme: Theme,
+}
+
+/// A panel over time: one quantity of one or more axes.
+struct Curves {
+    quantity: Quantity,
+    axes: Vec<usize>,
+}
+
+impl<'a> Picture<'a> {
+    /// All panels, the path where there are two axes or more, for paper.
+    #[must_use]
+    pub fn new(motion: &'a Motion) -> Self {
+        let mut panels = vec![Panel::Position, Panel::Velocity, Panel::Acceleration, Panel::Jerk];
+        if motion.axes().len() > 1 {
+            panels.insert(0, Panel::Path);
+        }
+        Self { motion, title: String::new(), note: String::new(), panels, marks: Vec::new(), theme: Theme::LIGHT }
+    }
+
+    /// With a title.
+    #[must_use]
+    pub fn title(self, title: impl Into<String>) -> Self {
+        Self { title: title.into(), ..self }
+    }
+
+    /// With a line below the title.
+    #[must_use]
+    pub fn note(self, note: impl Into<String>) -> Self {
+        Self { note: note.into(), ..self }
+    }
+
+    /// With these panels, in this order.
+    #[must_use]
+    pub fn panels(self, panels: &[Panel]) -> Self {
+        Self { panels: panels.to_vec(), ..self }
+    }
+
+    /// With these points in the path.
+    #[must_use]
+    pub fn marks(self, marks: Vec<Mark>) -> Self {
+        Self { marks, ..self }
+    }
+
+    /// In these colours.
+    #[must_use]
+    pub fn theme(self, theme: Theme) -> Self {
+        Self { theme, ..self }
+    }
+
+    /// Draws it.
+    ///
+    /// # Errors
+    ///
+    /// The motion takes no time or has no axes, or no panel is asked for.
+    pub fn draw(&self) -> Result<Drawing, PlotError> {
+        self.check()?;
+        let title = if self.title.is_empty() { "Motion" } else { &self.title };
+        let mut drawing = Drawing::new(self.theme.background, title);
+        let names: Vec<String> = self.motion.axes().iter().map(|axis| axis.name.clone()).collect();
+        let mut top = head(&mut drawing, &self.theme, &self.title, &self.note, &names);
+        let time = axis_unit("s", self.motion.duration());
+        let over_time = self.over_time();
+        let mut left = over_time.len();
+        for panel in &self.panels {
+            if *panel == Panel::Path {
+                top = path::draw(self, &mut drawing, top + HEAD) + FOOT;
+            }
+            for curves in over_time.iter().filter(|curves| curves.is_of(*panel)) {
+                left -= 1;
+                let is_last = left == 0;
+                self.panel(&mut drawing, curves, &time, top + HEAD, is_last);
+                top += HEAD + HEIGHT + if is_last { FOOT } else { 0.0 };
+            }
+        }
+        drawing.size = (WIDTH, top + 4.0);
+        Ok(drawing)
+    }
+
+    /// Draws it into a file that ends in `.svg` or `.png`, whole or not at all.
+    pub fn save(&self, path: &Path) -> Result<(), PlotError> {
+        self.draw()?.save(path)
+    }
+
+    fn check(&self) -> Result<(), PlotError> {
+        let what = match (self.motion.axes().len(), self.panels.as_slice()) {
+            (0, _) => "the motion has no axes",
+            (_, []) => "no panel is asked for",
+            (1, panels) if panels.contains(&Panel::Path) => "a path needs two axes",
+            _ if self.motion.duration() == 0.0 => "the motion takes no time",
+            _ => return Ok(()),
+        };
+        Err(PlotError::Empty { what })
+    }
+
+    /// The panels over time, each quantity in one, or in one an axis.
+    fn over_time(&self) -> Vec<Curves> {
+        let quantity = |panel: &Panel| match panel {
+            Panel::Path => None,
+            Panel::Position => Some(Quantity::Position),
+            Panel::Velocity => Some(Quantity::Velocity),
+            Panel::Acceleration => Some(Quantity::Acceleration),
+            Panel::Jerk => Some(Quantity::Jerk),
+        };
+        let count = self.motion.axes().len();
+        let split = |quantity| match self.share_a_panel(quantity) {
+            true => vec![Curves { quantity, axes: (0..count).collect() }],
+            false => (0..count).map(|index| Curves { quantity, axes: vec![index] }).collect(),
+        };
+        self.panels.iter().filter_map(quantity).flat_map(split).collect()
+    }
+
+    fn share_a_panel(&self, quantity: Quantity) -> bool {
+        let axes = self.motion.axes().iter();
+        let ranges: Vec<(f64, f64)> = axes.map(|axis| range(axis, quantity)).collect();
+        let extents = ranges.iter().map(|(low, high)| high - low).filter(|extent| *extent > 0.0);
+        let (low, high) = union(&ranges);
+        high - low <= COMPARABLE * extents.fold(f64::INFINITY, f64::min)
+    }
+
+    fn panel(&self, drawing: &mut Drawing, curves: &Curves, time: &Unit, top: f64, is_last: bool) {
+        let view = View::new(self, curves, time, top);
+        let frame = Frame { x: &view.x, y: &view.y, top, bottom: top + HEIGHT, theme: &self.theme };
+        frame.grid(drawing, (6, 5), is_last);
+        self.meetings(drawing, &frame, time);
+        frame.border(drawing);
+        limit::draw(drawing, &view.limits, (&view.y, &view.unit), view.range);
+        for (index, pieces) in curves.axes.iter().zip(&view.pieces) {
+            drawing.path(curve(pieces, &view.x, &view.y), Stroke::solid(self.theme.curve(*index), 2.4));
+        }
+        let title = self.name(curves, &view.unit);
+        let room = RIGHT - LEFT - width(&title, LABEL) * BOLD - LABEL;
+        frame.title(drawing, &title, &limit::note(&view.limits, view.range, &view.unit, room));
+        if is_last {
+            frame.below(drawing, &format!("Time ({})", time.name));
+        }
+    }
+
+    fn name(&self, curves: &Curves, unit: &Unit) -> String {
+        let quantity = curves.quantity.title();
+        match curves.axes.as_slice() {
+            [axis] if self.motion.axes().len() > 1 => {
+                format!("{quantity} of {} ({})", self.motion.axes()[*axis].name, unit.name)
+            }
+            _ => format!("{quantity} ({})", unit.name),
+        }
+    }
+
+    /// Where segments meet.
+    fn meetings(&self, drawing: &mut Drawing, frame: &Frame, time: &Unit) {
+        let times = self.motion.axes().iter().flat_map(|axis| axis.profile.times());
+        let mut pixels: Vec<f64> = times.map(|at| frame.x.at(at / time.size)).collect();
+        pixels.sort_by(f64::total_cmp);
+        pixels.dedup_by(|later, earlier| *later - *earlier < 0.5);
+        if pixels.len() <= MOST_MEETINGS {
+            let stroke = Stroke { colour: self.theme.frame, width: 0.8, dashes: "1 3" };
+            pixels.iter().for_each(|x| drawing.line((*x, frame.top), (*x, frame.bottom), stroke));
+        }
+    }
+}
+
+impl Curves {
+    fn is_of(&self, panel: Panel) -> bool {
+        let own = match self.quantity {
+            Quantity::Position => Panel::Position,
+            Quantity::Velocity => Panel::Velocity,
+            Quantity::Acceleration => Panel::Acceleration,
+            Quantity::Jerk => Panel::Jerk,
+        };
+        panel == own
+    }
+}
+
+/// The scales of a panel and what is drawn on them, in the units of the scales.
+struct View {
+    pieces: Vec<Vec<Piece>>,
+    limits: Vec<Limit>,
+    /// Of the values, in SI units.
+    range: (f64, f64),
+    unit: Unit,
+    x: Scale,
+    y: Scale,
+}
+
+impl View {
+    fn new(picture: &Picture, curves: &Curves, time: &Unit, top: f64) -> Self {
+        let axes: Vec<(usize, &Axis)> =
+            curves.axes.iter().map(|index| (*index, &picture.motion.axes()[*index])).collect();
+        let limits = limits(curves.quantity, &axes, &picture.theme);
+        let range = union(&axes.iter().map(|(_, axis)| range(axis, curves.quantity)).collect::<Vec<_>>());
+        let shown = with_limits(range, &limits);
+        let unit = axis_unit(curves.quantity.unit(), shown.1.max(-shown.0));
+        let y = Scale::linear(frame_range(shown, unit.size, &limits, range), (top + HEIGHT, top));
+        let tolerance = 0.02 * unit.size / y.slope().abs();
+        let scaled = |(_, axis): &(usize, &Axis)| {
+            let pieces = curves.quantity.pieces(&axis.profile, tolerance).into_iter();
+            let rest = rest(axis, curves.quantity, picture.motion.duration());
+            pieces.chain(rest).map(|piece| piece.scaled(time.size, unit.size)).collect()
+        };
+        let pieces = axes.iter().map(scaled).collect();
+        let x = Scale::linear((0.0, picture.motion.duration() / time.size), (LEFT, RIGHT));
+        Self { pieces, limits, range, unit, x, y }
+    }
+}
+
+/// An axis that ends before the others stays where it is.
+fn rest(axis: &Axis, quantity: Quantity, duration: f64) -> Option<Piece> {
+    let (from, position) = (axis.profile.duration(), axis.profile.end().position);
+    let value = if quantity == Quantity::Position { position } else { 0.0 };
+    (from < duration).then_some(Piece { from, to: duration, values: (value, value), slopes: (0.0, 0.0) })
+}
+
+fn with_limits((low, high): (f64, f64), limits: &[Limit]) -> (f64, f64) {
+    limits.iter().fold((low, high), |(below, above), limit| {
+        let [lower, upper] = limit.sides((low, high));
+        (if lower { below.min(-limit.value) } else { below }, if upper { above.max(limit.value) } else { above })
+    })
+}
+
+/// With room around, more where the text of a limit stands.
+fn frame_range(shown: (f64, f64), unit: f64, limits: &[Limit], range: (f64, f64)) -> (f64, f64) {
+    let sides: Vec<[bool; 2]> = limits.iter().map(|limit| limit.sides(range)).collect();
+    let above = sides.iter().any(|side| side[1]);
+    let below = sides.contains(&[true, false]);
+    let room = |text: bool| if text { 0.18 } else { 0.08 };
+    widened((shown.0 / unit, shown.1 / unit), room(below), room(above))
+}
+
+fn range(axis: &Axis, quantity: Quantity) -> (f64, f64) {
+    let extremes = axis.profile.extremes(quantity);
+    (extremes.least.value, extremes.largest.value)
+}
+
+fn union(ranges: &[(f64, f64)]) -> (f64, f64) {
+    ranges.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), range| (low.min(range.0), high.max(range.1)))
+}

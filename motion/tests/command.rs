@@ -1,0 +1,182 @@
+//! The command `closedform-motion`: what it prints and writes, and how it fails.
+#![cfg(feature = "command")]
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use closedform_motion::table::load;
+use serde_json::Value;
+
+const SCAN: &str = "--v1-scan 0.1 --a1-max 50 --d2-step 2e-4 --a2-max 2 --line-length 0.005 --lines 4";
+const STEP: &str = "--travel 1e-3 --a3 -0.25 --t1 0.015";
+const FIVE: &str = "--delta-x 0.01 --ki 0.1 --t0 0.1 --t1 0.1 --t2 0.1";
+const WAYPOINTS: &str = "--point 0,0 --point 0.2,0.4 --point 0.7,-0.5 --point -1,0.1";
+const PROGRAM: &str = "G21 G90\nG0 X10 Y10\nG1 Z-1 F1200\nX50\nY40\nG2 X30 Y20 I-20 J0\nG0 Z5\nM30\n";
+
+fn run(folder: &Path, arguments: &str) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_closedform-motion"));
+    command.current_dir(folder).args(arguments.split_whitespace()).output().expect("runs")
+}
+
+fn good(folder: &Path, arguments: &str) -> String {
+    let output = run(folder, arguments);
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{arguments}: {error}");
+    assert!(error.is_empty(), "{arguments}: {error}");
+    String::from_utf8(output.stdout).expect("text")
+}
+
+/// One line of error, the exit code, and no file that was not there.
+fn bad(folder: &Path, arguments: &str, code: i32) -> String {
+    let count = || fs::read_dir(folder).expect("a folder").count();
+    let before = count();
+    let output = run(folder, arguments);
+    let error = String::from_utf8(output.stderr).expect("text");
+    assert_eq!(output.status.code(), Some(code), "{arguments}: {error}");
+    assert_eq!(error.lines().count(), 1, "{arguments}: {error}");
+    assert!(output.stdout.is_empty());
+    assert_eq!(count(), before, "{arguments}: files were left behind");
+    error
+}
+
+fn kinds() -> Vec<(&'static str, String)> {
+    vec![
+        ("scan-skip", SCAN.to_owned()),
+        ("step", STEP.to_owned()),
+        ("five-segment", FIVE.to_owned()),
+        ("waypoints", WAYPOINTS.to_owned()),
+        ("milling", "--gcode a.nc".to_owned()),
+    ]
+}
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("a.nc"), PROGRAM).expect("written");
+    folder
+}
+
+#[test]
+fn every_kind_is_planned_tabled_and_drawn() {
+    let folder = folder();
+    let path = folder.path();
+    for (kind, flags) in kinds() {
+        let text = good(path, &format!("plan {kind} {flags}"));
+        assert!(text.contains("duration"), "{text}");
+        let json = good(path, &format!("plan {kind} {flags} --json --table {kind}.csv --picture {kind}.png"));
+        let summary: Value = serde_json::from_str(&json).expect("JSON");
+        assert_eq!(summary["plan"], kind);
+        assert!(summary["facts"]["duration"]["value"].as_f64().expect("a number") > 0.0);
+        assert_eq!(summary["files"].as_array().expect("files").len(), 2);
+        assert!(fs::read(path.join(format!("{kind}.png"))).expect("a picture").starts_with(b"\x89PNG"));
+        let rows = summary["files"][0]["rows"].as_u64().expect("rows");
+        let lines = fs::read_to_string(path.join(format!("{kind}.csv"))).expect("a table").lines().count() as u64;
+        assert_eq!(lines, rows + 1);
+        good(path, &format!("plan {kind} {flags} --table {kind}.json"));
+        let table = fs::read_to_string(path.join(format!("{kind}.json"))).expect("a table");
+        assert_eq!(
+            serde_json::from_str::<Value>(&table).expect("JSON")["rows"].as_array().expect("rows").len() as u64,
+            rows
+        );
+        good(path, &format!("plot {kind} {flags} --dark"));
+        assert!(fs::read_to_string(path.join(format!("{kind}.svg"))).expect("a picture").contains("#0d1117"));
+    }
+}
+
+#[test]
+fn the_table_ends_when_the_plan_does() {
+    let folder = folder();
+    for (kind, flags) in kinds().into_iter().filter(|(kind, _)| *kind != "milling") {
+        let json = good(folder.path(), &format!("plan {kind} {flags} --json --durations --table a.json"));
+        let duration = serde_json::from_str::<Value>(&json).expect("JSON")["facts"]["duration"]["value"].as_f64();
+        let table = load(&folder.path().join("a.json")).expect("a table");
+        let end = table.rows[table.rows.len() - 1].time;
+        // Both are sums of the same durations in another order, none with more than 32 terms.
+        assert!((end - duration.expect("a number")).abs() <= 32.0 * f64::EPSILON * end, "{kind}");
+    }
+}
+
+#[test]
+fn a_file_says_what_flags_say_and_flags_come_first() {
+    let folder = folder();
+    let file = "v1-scan = 0.1\na1-max = 50\nd2-step = 2e-4\na2-max = 2\nline-length = 0.005\nlines = 4\n";
+    fs::write(folder.path().join("plan.toml"), file).expect("written");
+    let flags = good(folder.path(), &format!("plan scan-skip {SCAN}"));
+    assert_eq!(good(folder.path(), "plan scan-skip --file plan.toml"), flags);
+    let other = good(folder.path(), "plan scan-skip --file plan.toml --lines 8 --one-way");
+    assert!(other.contains("lines") && other != flags);
+    fs::write(
+        folder.path().join("points.toml"),
+        "problem = \"e\"\npoints = [[0, 0], [0.2, 0.4], [0.7, -0.5], [-1, 0.1]]\n",
+    )
+    .expect("written");
+    assert_eq!(
+        good(folder.path(), "plan waypoints --file points.toml"),
+        good(folder.path(), &format!("plan waypoints {WAYPOINTS}"))
+    );
+    fs::write(folder.path().join("points.csv"), "x,y\n0,0\n0.2,0.4\n0.7,-0.5\n-1,0.1\n").expect("written");
+    assert_eq!(
+        good(folder.path(), "plan waypoints --points-file points.csv"),
+        good(folder.path(), &format!("plan waypoints {WAYPOINTS}"))
+    );
+}
+
+#[test]
+fn bad_input_is_one_line_and_exit_code_2() {
+    let folder = folder();
+    let path = folder.path();
+    let error = bad(path, "plan scan-skip --v1-scan 0.1 --table a.csv", 2);
+    assert!(error.contains("a1-max is missing: give"), "{error}");
+    let error = bad(path, &format!("plan step {STEP} --travel -1").replace("--travel 1e-3 ", ""), 2);
+    assert!(error.contains("travel is -1"), "{error}");
+    for number in ["nan", "inf", "0", "-5"] {
+        bad(path, &format!("plan step --travel {number} --a3 -0.25 --t1 0.015 --table a.csv --picture a.svg"), 2);
+        let scan = SCAN.replace("--a1-max 50", &format!("--a1-max {number}"));
+        bad(path, &format!("plan scan-skip {scan} --table a.csv --picture a.svg"), 2);
+    }
+    bad(path, &format!("plan step {STEP} --ki 0.5"), 2);
+    bad(path, &format!("plan step {STEP} --v-max 1e-3"), 2);
+    bad(path, "plan milling --gcode none.nc", 2);
+    bad(path, "plan milling", 2);
+    bad(path, "plan milling --gcode a.nc --acceleration 1,2 --table a.csv", 2);
+    bad(path, "plan waypoints --point 0,0 --point 1,1", 2);
+    bad(path, &format!("plan waypoints {WAYPOINTS} --problem z"), 2);
+    bad(path, &format!("plan waypoints {WAYPOINTS} --problem a --table a.csv"), 2);
+    bad(path, &format!("plan waypoints {WAYPOINTS} --tolerance 0 --table a.csv"), 2);
+    // A wrong ending is found before anything is written.
+    bad(path, &format!("plan step {STEP} --table a.csv --picture a.bmp"), 2);
+    bad(path, &format!("plan step {STEP} --table a.xls"), 2);
+}
+
+#[test]
+fn broken_files_are_told_with_their_line() {
+    let folder = folder();
+    let path = folder.path();
+    fs::write(path.join("plan.toml"), "v1-scan = 0.1\nspeed = 3\n").expect("written");
+    assert!(bad(path, "plan scan-skip --file plan.toml", 2).contains("plan.toml: line 2: unknown field `speed`"));
+    fs::write(path.join("plan.toml"), "v1-scan = \n").expect("written");
+    assert!(bad(path, "plan scan-skip --file plan.toml", 2).contains("plan.toml: line 1"));
+    assert!(bad(path, "plan scan-skip --file none.toml", 2).contains("none.toml"));
+    fs::write(path.join("b.nc"), "G1 X1 F100\nG999 X2\n").expect("written");
+    assert!(bad(path, "plan milling --gcode b.nc --table a.csv", 2).contains("b.nc: line 2: G999"));
+    let skipped = run(path, "plan milling --gcode b.nc --unknown skip");
+    assert!(skipped.status.success());
+    assert!(String::from_utf8_lossy(&skipped.stderr).contains("b.nc: passed over: line 2: G999"));
+    fs::write(path.join("c.csv"), "0,0\n1,b\n").expect("written");
+    assert!(bad(path, "plan waypoints --points-file c.csv", 2).contains("c.csv: line 2: `b` is not a number"));
+}
+
+#[test]
+fn a_place_that_cannot_be_written_is_exit_code_1() {
+    let folder = folder();
+    let error = bad(folder.path(), &format!("plan step {STEP} --table none/a.csv"), 1);
+    assert!(error.contains("none/a.csv"), "{error}");
+}
+
+#[test]
+fn help_reads_as_the_main_command() {
+    let folder = folder();
+    assert!(good(folder.path(), "plan scan-skip --help").contains("Usage: closedform plan scan-skip [OPTIONS]"));
+    assert!(good(folder.path(), "--help").contains("Usage: closedform <COMMAND>"));
+    assert!(!good(folder.path(), "--help").contains("gallery"));
+}
