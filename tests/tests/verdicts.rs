@@ -15,12 +15,14 @@ const POINTS: usize = 60;
 const ENOUGH: usize = 150;
 
 /// Functions that no row is about, by their names or how these begin, and why they are shipped.
-const NOT_PRINTED: [(&str, &str); 20] = [
+const NOT_PRINTED: [(&str, &str); 22] = [
     ("Ki_c", "the cell of 4.4.1 prints it for another braking, where it is wrong"),
     ("dd1Out_dtIn", "II 1.3 prints the other derivative of the same distance"),
     ("mt_constant_speed", "the limit of short steps; the scan prints the steps"),
     ("mt_constant_time", "as before"),
     ("mt_cut_time", "the limit of the scan's sum"),
+    ("mt_cut_speed", "the feed limit is not in the scan"),
+    ("mt_limit", "the scan says in words that the least speed of the axes is driven"),
     ("quartic_abcd", "%o262 has all four roots by radicals, this is the positive one"),
     ("rscn_tIn_of_tOut", "%o202 has it put into the overhead"),
     ("s5SX_", "section 3 solved for the accelerations; the scan solves it for the times"),
