@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// The rules that are there to save operations, not digits.
-const FOR_SPEED: [&str; 2] = ["known-sum", "merge-roots"];
+const FOR_SPEED: [&str; 3] = ["known-sum", "merge-roots", "one-reciprocal"];
 
 /// What the plain form must be off by, in ulp, for a rule to be worth its name.
 const LOST: f64 = 1000.0;

@@ -12,6 +12,7 @@ use crate::program::{Node, name_steps};
 use crate::rust::{InputDoc, KernelText, RequireText, ResultText};
 use crate::stable::builder::Builder;
 use crate::stable::rules::falling_newton::{self, RootError};
+use crate::stable::rules::one_reciprocal;
 use crate::stable::stabilise;
 use crate::worksheet::contract::{Contract, KernelContract};
 use closedform_maxima::{Definition, print, to_latex};
@@ -70,7 +71,10 @@ pub fn make(
         .map(|reference| lower(&reference.body))
         .collect::<Result<_, _>>()
         .map_err(KernelError::Lower)?;
-    let outputs = outputs(&mut builder, &expressions, references)?;
+    let mut outputs = outputs(&mut builder, &expressions, references)?;
+    if kernel.one_division {
+        outputs = one_reciprocal::apply(&mut builder, &outputs);
+    }
     let results = results(&builder, kernel, &outputs)?;
     let inputs: Vec<InputDoc> = contract
         .inputs_of(kernel)

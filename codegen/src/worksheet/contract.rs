@@ -65,6 +65,8 @@ pub struct KernelContract {
     pub domain: Domain,
     /// Which of several solutions this is.
     pub branch: Option<String>,
+    /// Whether its quotients are to share one division.
+    pub one_division: bool,
     /// What happens at the edges of the domain.
     pub edges: Option<String>,
     /// Name of the struct that a kernel of several results returns.

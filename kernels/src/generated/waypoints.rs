@@ -903,15 +903,15 @@ pub struct QuarticCubicQuarticAtRest {
 /// - `c20`: at most 0 ulp, barring overflow and underflow
 /// - `c01`: at most 0 ulp, barring overflow and underflow
 /// - `c02`: at most 0 ulp, barring overflow and underflow
-/// - `c11`: at most 10.01 ulp, barring overflow and underflow
-/// - `c21`: at most 10.01 ulp, barring overflow and underflow
-/// - `c12`: at most 11.01 ulp, barring overflow and underflow
-/// - `c22`: at most 11.01 ulp, barring overflow and underflow
-/// - `c03`: at most 12.01 ulp, barring overflow and underflow
-/// - `c13`: at most 11.01 ulp, barring overflow and underflow
-/// - `c23`: at most 12.01 ulp, barring overflow and underflow
-/// - `c04`: at most 13.01 ulp, barring overflow and underflow
-/// - `c24`: at most 13.01 ulp, barring overflow and underflow
+/// - `c11`: at most 25.01 ulp, barring overflow and underflow
+/// - `c21`: at most 25.01 ulp, barring overflow and underflow
+/// - `c12`: at most 26.01 ulp, barring overflow and underflow
+/// - `c22`: at most 26.01 ulp, barring overflow and underflow
+/// - `c03`: at most 23.01 ulp, barring overflow and underflow
+/// - `c13`: at most 24.01 ulp, barring overflow and underflow
+/// - `c23`: at most 23.01 ulp, barring overflow and underflow
+/// - `c04`: at most 22.01 ulp, barring overflow and underflow
+/// - `c24`: at most 22.01 ulp, barring overflow and underflow
 ///
 /// From: problem (f), stated there.
 #[kernel(
@@ -919,8 +919,8 @@ pub struct QuarticCubicQuarticAtRest {
     maxima = "wp_f_c00(P0,P1,P2,P3,t0,t1,t2):=P0\nwp_f_c10(P0,P1,P2,P3,t0,t1,t2):=P1\nwp_f_c20(P0,P1,P2,P3,t0,t1,t2):=P2\nwp_f_c01(P0,P1,P2,P3,t0,t1,t2):=0\nwp_f_c02(P0,P1,P2,P3,t0,t1,t2):=0\nwp_f_c11(P0,P1,P2,P3,t0,t1,t2):=(2*(P1-P0)*t1^2*t2*(2*t2+3*t1)+(P2-P1)*t0^2*t2*(t2+3*t1)-2*(P3-P2)*t0^2*t1^2)/(t0*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c21(P0,P1,P2,P3,t0,t1,t2):=(-2*(P1-P0)*t1^2*t2^2+(P2-P1)*t0*(3*t1+t0)*t2^2+2*(P3-P2)*t0*t1^2*(3*t1+2*t0))/(t0*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c12(P0,P1,P2,P3,t0,t1,t2):=(3*(P2-P1)*t0*t2*(t2+3*t1)-6*(P1-P0)*t1*t2*(t2+2*t1)-6*(P3-P2)*t0*t1^2)/(t0*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c22(P0,P1,P2,P3,t0,t1,t2):=(6*(P1-P0)*t1^2*t2-3*(P2-P1)*t0*(3*t1+t0)*t2+6*(P3-P2)*t0*t1*(2*t1+t0))/(t0*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c03(P0,P1,P2,P3,t0,t1,t2):=(2*(P1-P0)*t1*t2*(2*t1*t2+2*t0*t2+3*t1^2+4*t0*t1)-(P2-P1)*t0^2*t2*(t2+3*t1)+2*(P3-P2)*t0^2*t1^2)/(t0^3*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c13(P0,P1,P2,P3,t0,t1,t2):=(-(P2-P1)*t0*t2*(t2+6*t1+t0)+2*(P1-P0)*t1*t2*(t2+3*t1)+2*(P3-P2)*t0*t1*(3*t1+t0))/(t0*t1^2*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c23(P0,P1,P2,P3,t0,t1,t2):=(-6*(P1-P0)*t1^2*t2^2+3*(P2-P1)*t0*(3*t1+t0)*t2^2-2*(P3-P2)*t0*t1*(8*t1*t2+4*t0*t2+3*t1^2+2*t0*t1))/(t0*t1*t2^3*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c04(P0,P1,P2,P3,t0,t1,t2):=(-(P1-P0)*t1*t2*(2*t1*t2+3*t0*t2+3*t1^2+6*t0*t1)+(P2-P1)*t0^2*t2*(t2+3*t1)-2*(P3-P2)*t0^2*t1^2)/(t0^4*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c24(P0,P1,P2,P3,t0,t1,t2):=(2*(P1-P0)*t1^2*t2^2-(P2-P1)*t0*(3*t1+t0)*t2^2+(P3-P2)*t0*t1*(6*t1*t2+3*t0*t2+3*t1^2+2*t0*t1))/(t0*t1*t2^4*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))",
     latex = "\\mathrm{wp}_{f,c,00} = P_{0} \\\\ \\mathrm{wp}_{f,c,10} = P_{1} \\\\ \\mathrm{wp}_{f,c,20} = P_{2} \\\\ \\mathrm{wp}_{f,c,01} = 0 \\\\ \\mathrm{wp}_{f,c,02} = 0 \\\\ \\mathrm{wp}_{f,c,11} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}\\,\\left(2\\,t_{2}+3\\,t_{1}\\right)+\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,21} = \\frac{\\left(-2\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}+\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}\\,\\left(3\\,t_{1}+2\\,t_{0}\\right)}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,12} = \\frac{3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-6\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(t_{2}+2\\,t_{1}\\right)-6\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,22} = \\frac{6\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}-3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}+6\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(2\\,t_{1}+t_{0}\\right)}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,03} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+2\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)-\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}^{3}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,13} = \\frac{\\left(-\\left(P_{2}-P_{1}\\right)\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+6\\,t_{1}+t_{0}\\right)+2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(3\\,t_{1}+t_{0}\\right)}{t_{0}\\,t_{1}^{2}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,23} = \\frac{\\left(-6\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}+3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(8\\,t_{1}\\,t_{2}+4\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}{t_{0}\\,t_{1}\\,t_{2}^{3}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,04} = \\frac{\\left(-\\left(P_{1}-P_{0}\\right)\\right)\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+6\\,t_{0}\\,t_{1}\\right)+\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}^{4}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,24} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}-\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}+\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(6\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}{t_{0}\\,t_{1}\\,t_{2}^{4}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}",
     source = "problem (f), stated there",
-    rules("compensated", "factored"),
-    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c02 = 0.0, c11 = 10.01, c21 = 10.01, c12 = 11.01, c22 = 11.01, c03 = 12.01, c13 = 11.01, c23 = 12.01, c04 = 13.01, c24 = 13.01),
+    rules("compensated", "factored", "one-reciprocal"),
+    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c02 = 0.0, c11 = 25.01, c21 = 25.01, c12 = 26.01, c22 = 26.01, c03 = 23.01, c13 = 24.01, c23 = 23.01, c04 = 22.01, c24 = 22.01),
     results(
         c00(worksheet = "wp_f_c00", unit = "m"),
         c10(worksheet = "wp_f_c10", unit = "m"),
@@ -955,10 +955,6 @@ pub fn quartic_cubic_quartic_at_rest(
         t0 * t0 * (t2 * (p1 - p2) * (3.0 * t1 + t2) + 2.0 * t1 * t1 * (p3 - p2))
         + 2.0 * t1 * t1 * t2 * (p0 - p1) * (3.0 * t1 + 2.0 * t2)
     );
-    let product = t0 * t1;
-    let product2 = product * t2;
-    let sum = t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2;
-    let product3 = product2 * sum;
     // compensated
     let cancelling2 = compensated!(
         t2 * t2 * (t0 * (p2 - p1) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p0 - p1))
@@ -979,7 +975,9 @@ pub fn quartic_cubic_quartic_at_rest(
         t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 4.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + 2.0 * t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2))
         + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2)
     );
-    let product4 = t0 * t0 * t0;
+    let product = t0 * t0 * t0;
+    let product2 = product * t1;
+    let product3 = product2 * t2;
     // compensated
     let cancelling6 = compensated!(
         t0 * (t2 * (p1 - p2) * (t0 + (6.0 * t1 + t2)) + 2.0 * t1 * (p3 - p2) * (3.0 * t1 + t0))
@@ -990,7 +988,6 @@ pub fn quartic_cubic_quartic_at_rest(
         t2 * (3.0 * t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 8.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0))
         + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1)
     );
-    let product5 = product2 * t2 * t2;
     // compensated
     let cancelling8 = compensated!(
         t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 3.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2))
@@ -1001,20 +998,27 @@ pub fn quartic_cubic_quartic_at_rest(
         t2 * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 3.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0))
         + t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1)
     );
+    // one-reciprocal
+    let quotient = 1.0
+        / (product * t0 * t1 * t1 * t2 * t2 * t2 * t2 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
+    let product4 = product3 * t2 * t2;
+    let product5 = quotient * (product4 * cancelling);
+    let product6 = quotient * (product3 * cancelling7);
+    let product7 = quotient * (t1 * t2 * t2 * t2 * cancelling8);
     QuarticCubicQuarticAtRest {
         c00: p0,
         c10: p1,
         c20: p2,
         c01: 0.0,
         c02: 0.0,
-        c11: -cancelling / product3,
-        c21: cancelling2 / product3,
-        c12: -3.0 * cancelling3 / product3,
-        c22: 3.0 * cancelling4 / product3,
-        c03: cancelling5 / (product4 * t1 * t2 * sum),
-        c13: cancelling6 / (product * t1 * t2 * sum),
-        c23: -cancelling7 / (product5 * sum),
-        c04: -cancelling8 / (product4 * t0 * t1 * t2 * sum),
-        c24: cancelling9 / (product5 * t2 * sum),
+        c11: -product5,
+        c21: cancelling2 * product4 * quotient,
+        c12: -3.0 * cancelling3 * product4 * quotient,
+        c22: 3.0 * cancelling4 * product4 * quotient,
+        c03: cancelling5 * (t0 * t1 * t2 * t2 * t2) * quotient,
+        c13: cancelling6 * (product * t2 * t2 * t2) * quotient,
+        c23: -product6,
+        c04: -product7,
+        c24: cancelling9 * product2 * quotient,
     }
 }

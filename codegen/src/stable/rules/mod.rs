@@ -7,6 +7,7 @@ pub mod factored;
 pub mod falling_newton;
 pub mod known_sum;
 pub mod merge_roots;
+pub mod one_reciprocal;
 pub mod same_sign_radicand;
 pub mod sign_branch;
 pub mod through_result;
@@ -23,7 +24,7 @@ pub struct Rule {
 }
 
 /// Every rule, in alphabetical order.
-pub const ALL: [&Rule; 10] = [
+pub const ALL: [&Rule; 11] = [
     &compensated::RULE,
     &conjugate::RULE,
     &differences_first::RULE,
@@ -31,6 +32,7 @@ pub const ALL: [&Rule; 10] = [
     &falling_newton::RULE,
     &known_sum::RULE,
     &merge_roots::RULE,
+    &one_reciprocal::RULE,
     &same_sign_radicand::RULE,
     &sign_branch::RULE,
     &through_result::RULE,

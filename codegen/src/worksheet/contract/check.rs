@@ -233,6 +233,7 @@ fn kernel(raw: raw::Kernel) -> KernelContract {
         domain: Domain::new(inputs.clone(), conditions.collect()),
         inputs,
         branch: raw.branch,
+        one_division: raw.one_division,
         edges: raw.edges,
         returns: raw.returns.map(Spanned::into_inner),
         results: raw.result.into_iter().map(result).collect(),

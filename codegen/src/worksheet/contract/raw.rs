@@ -44,6 +44,8 @@ pub(super) struct Kernel {
     #[serde(default)]
     pub(super) domain: Vec<Spanned<String>>,
     pub(super) branch: Option<String>,
+    #[serde(default)]
+    pub(super) one_division: bool,
     pub(super) edges: Option<String>,
     pub(super) returns: Option<Spanned<String>>,
     #[serde(default)]

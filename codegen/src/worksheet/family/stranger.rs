@@ -194,6 +194,7 @@ fn kernel(definition: &Definition, name: String) -> KernelContract {
         inputs: definition.parameters.clone(),
         domain: natural_domain(&definition.body, &definition.parameters),
         branch: None,
+        one_division: false,
         edges: None,
         returns: None,
         results: vec![result],
