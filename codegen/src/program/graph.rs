@@ -1,5 +1,6 @@
 //! The graph of steps: equal steps are one node, and each knows its sign and a bound of its relative error.
 
+use super::sensitivity::{Roundings, Sensitivity};
 use crate::field::Sign;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -107,7 +108,7 @@ pub enum Op {
 struct Step {
     op: Op,
     sign: Sign,
-    error: f64,
+    error: Sensitivity,
     rules: Vec<&'static str>,
 }
 
@@ -115,6 +116,7 @@ struct Step {
 #[derive(Default)]
 pub struct Graph {
     steps: Vec<Step>,
+    roundings: Roundings,
     index: HashMap<Op, Node>,
 }
 
@@ -141,7 +143,17 @@ impl Graph {
     /// A bound of the relative error of a node, in units of 2^-53, barring overflow and underflow.
     #[must_use]
     pub fn error(&self, node: Node) -> f64 {
-        self.steps[node.0].error
+        self.roundings.bound(&self.steps[node.0].error)
+    }
+
+    fn sensitivity(&self, node: Node) -> &Sensitivity {
+        &self.steps[node.0].error
+    }
+
+    /// The error of a step with one more rounding.
+    fn rounded(&mut self, error: &Sensitivity) -> Sensitivity {
+        let rounding = self.roundings.of(ROUNDING);
+        self.roundings.product(error, &rounding)
     }
 
     /// The rules that made a node, in the order of their use.
@@ -158,11 +170,14 @@ impl Graph {
         }
     }
 
-    fn push(&mut self, op: Op, sign: Sign, error: f64) -> Node {
+    fn push(&mut self, op: Op, sign: Sign, error: Sensitivity) -> Node {
         if let Some(&node) = self.index.get(&op) {
+            let smaller = self.roundings.bound(&error) < self.error(node);
             let step = &mut self.steps[node.0];
             step.sign = step.sign & sign;
-            step.error = step.error.min(error);
+            if smaller {
+                step.error = error;
+            }
             return node;
         }
         let node = Node(self.steps.len());
@@ -178,18 +193,19 @@ impl Graph {
 
     /// An input.
     pub fn input(&mut self, index: usize, sign: Sign) -> Node {
-        self.push(Op::Input(index), sign, 0.0)
+        self.push(Op::Input(index), sign, Sensitivity::exact())
     }
 
     /// The circle constant, rounded.
     pub fn pi(&mut self) -> Node {
-        self.push(Op::Pi, Sign::POSITIVE, ROUNDING)
+        let error = self.roundings.of(ROUNDING);
+        self.push(Op::Pi, Sign::POSITIVE, error)
     }
 
     /// A constant, as a literal where `f64` holds it exactly and as a quotient of literals otherwise.
     pub fn constant(&mut self, value: &BigRational) -> Node {
         if is_exact(value) {
-            return self.push(Op::Literal(value.clone()), Sign::of(value), 0.0);
+            return self.push(Op::Literal(value.clone()), Sign::of(value), Sensitivity::exact());
         }
         let numerator = self.integer_constant(&BigRational::from_integer(value.numer().clone()));
         let denominator = self.integer_constant(&BigRational::from_integer(value.denom().clone()));
@@ -199,10 +215,11 @@ impl Graph {
     /// An integer of any size: those beyond 53 bits are rounded once.
     fn integer_constant(&mut self, value: &BigRational) -> Node {
         if is_exact(value) {
-            return self.push(Op::Literal(value.clone()), Sign::of(value), 0.0);
+            return self.push(Op::Literal(value.clone()), Sign::of(value), Sensitivity::exact());
         }
         let rounded = value.to_f64().and_then(BigRational::from_float).unwrap_or_else(BigRational::zero);
-        self.push(Op::Literal(rounded), Sign::of(value), ROUNDING)
+        let error = self.roundings.of(ROUNDING);
+        self.push(Op::Literal(rounded), Sign::of(value), error)
     }
 
     /// The value of a literal.
@@ -225,9 +242,11 @@ impl Graph {
             }
             Op::Sub(x, y) => {
                 let turned = self.sub(y, x);
-                self.with_error(turned, -self.sign(a), self.error(a))
+                self.steps[turned.0].sign = -self.sign(a);
+                self.steps[turned.0].error = self.sensitivity(a).clone();
+                turned
             }
-            _ => self.push(Op::Neg(a), -self.sign(a), self.error(a)),
+            _ => self.push(Op::Neg(a), -self.sign(a), self.sensitivity(a).clone()),
         }
     }
 
@@ -261,9 +280,10 @@ impl Graph {
         self.push(Op::Sub(a, b), sign, error)
     }
 
-    fn error_of_sum(&self, a: Node, b: Node, same_sign: bool) -> f64 {
-        let worst = self.error(a).max(self.error(b));
-        if worst == 0.0 || same_sign { worst + ROUNDING } else { f64::INFINITY }
+    fn error_of_sum(&mut self, a: Node, b: Node, same_sign: bool) -> Sensitivity {
+        let (a, b) = (self.sensitivity(a), self.sensitivity(b));
+        let both = a.between(b);
+        if both.is_exact() || same_sign { self.rounded(&both) } else { self.roundings.of(f64::INFINITY) }
     }
 
     /// The product.
@@ -289,7 +309,8 @@ impl Graph {
             }
         }
         let exact = self.is_power_of_two(a) || self.is_power_of_two(b);
-        let error = self.error(a) + self.error(b) + if exact { 0.0 } else { ROUNDING };
+        let error = self.roundings.product(&self.steps[a.0].error, &self.steps[b.0].error);
+        let error = if exact { error } else { self.rounded(&error) };
         self.push(Op::Mul(a, b), self.sign(a) * self.sign(b), error)
     }
 
@@ -309,7 +330,8 @@ impl Graph {
             let (a, b) = (self.neg(a), self.neg(b));
             return self.div(a, b);
         }
-        let error = self.error(a) + self.error(b) + ROUNDING;
+        let error = self.roundings.quotient(&self.steps[a.0].error, &self.steps[b.0].error);
+        let error = self.rounded(&error);
         self.push(Op::Div(a, b), self.sign(a) * self.sign(b), error)
     }
 
@@ -325,7 +347,8 @@ impl Graph {
     /// The square root.
     pub fn sqrt(&mut self, a: Node) -> Node {
         let sign = self.sign(a) & Sign::NONNEGATIVE;
-        let error = 0.5 * self.error(a) + ROUNDING;
+        let error = self.sensitivity(a).halved();
+        let error = self.rounded(&error);
         self.push(Op::Sqrt(a), sign, error)
     }
 
@@ -335,7 +358,7 @@ impl Graph {
             return then;
         }
         let sign = self.sign(then).or(self.sign(otherwise));
-        let error = self.error(then).max(self.error(otherwise));
+        let error = self.roundings.of(self.error(then).max(self.error(otherwise)));
         self.push(Op::If(condition, then, otherwise), sign, error)
     }
 
@@ -344,28 +367,32 @@ impl Graph {
     pub fn extreme(&mut self, largest: bool, items: Vec<Node>) -> Node {
         let worst = items.iter().map(|&item| self.error(item)).fold(0.0, f64::max);
         let sign = items.iter().map(|&item| self.sign(item)).reduce(Sign::or).unwrap_or(Sign::ANY);
-        self.push(if largest { Op::Max(items) } else { Op::Min(items) }, sign, worst)
+        let error = self.roundings.of(worst);
+        self.push(if largest { Op::Max(items) } else { Op::Min(items) }, sign, error)
     }
 
     /// A polynomial to all digits; its leaves count as exact.
     pub fn compensated(&mut self, wide: Wide, sign: Sign) -> Node {
-        self.push(Op::Compensated(wide), sign, COMPENSATED)
+        let error = self.roundings.of(COMPENSATED);
+        self.push(Op::Compensated(wide), sign, error)
     }
 
     /// A polynomial in double-double, rounded once; its error has no bound of its own.
     pub fn residual(&mut self, wide: Wide) -> Node {
-        self.push(Op::Residual(wide), Sign::ANY, f64::INFINITY)
+        let error = self.roundings.of(f64::INFINITY);
+        self.push(Op::Residual(wide), Sign::ANY, error)
     }
 
     /// The one positive root of a polynomial; `error` bounds its relative error.
     pub fn positive_root(&mut self, coefficients: Vec<Node>, error: f64) -> Node {
+        let error = self.roundings.of(error);
         self.push(Op::PositiveRoot(coefficients), Sign::POSITIVE, error)
     }
 
     /// A step whose error bound has another proof than its operands' bounds.
     pub fn with_error(&mut self, node: Node, sign: Sign, error: f64) -> Node {
         self.steps[node.0].sign = sign;
-        self.steps[node.0].error = error;
+        self.steps[node.0].error = self.roundings.of(error);
         node
     }
 
