@@ -1,13 +1,17 @@
 //! From Maxima reference expressions to Rust kernels: the stages of the generator, and the commands.
 
 pub mod algebra;
+pub mod bound_proof;
 pub mod catalogue;
 pub mod command;
 pub mod crate_text;
 pub mod expression;
 pub mod field;
 pub mod folder;
+pub mod hunt;
+pub mod kept;
 pub mod kernel;
+pub mod ledger;
 pub mod measure;
 pub mod pipeline;
 pub mod program;

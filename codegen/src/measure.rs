@@ -16,7 +16,7 @@ pub const REFERENCE_BITS: u32 = 53 + 64;
 
 closedform_syntax::real_arithmetic! {
     /// The arithmetic of compiled kernels, as the interpreter takes it.
-    struct Compiled;
+    pub(crate) struct Compiled;
 }
 
 /// The point at which a result is farthest from its reference.

@@ -1,5 +1,6 @@
 //! The pipeline: families in, the text of every generated file out, each kernel proved equal to its references.
 
+use crate::bound_proof::{BoundError, bound_proof};
 use crate::kernel::{KernelError, ProofError, make, prove};
 use crate::program::cost;
 use crate::rust::{KernelText, ModuleText, print_module};
@@ -74,6 +75,14 @@ pub enum PipelineError {
         /// Why.
         cause: ProofError,
     },
+    /// A bound is not what the Rust text proves.
+    #[error("kernel `{kernel}`: its bound is not re-derived from the Rust text:\n{cause}")]
+    Bound {
+        /// `family::name`
+        kernel: String,
+        /// Why.
+        cause: BoundError,
+    },
 }
 
 /// Generates all families; `progress` is told the name of every kernel before it is made.
@@ -139,7 +148,8 @@ fn made_from(family: &Family) -> String {
     }
 }
 
-/// The kernels of a family's generated text that are not proved equal to its reference expressions.
+/// The kernels of a family's generated text that are not proved equal to its reference expressions, or whose bounds are
+/// not what their text proves.
 ///
 /// # Errors
 /// When the text does not read back.
@@ -153,7 +163,9 @@ pub fn unproved(family: &Family, text: &str) -> Result<Vec<PipelineError>, Pipel
             None => causes.push(PipelineError::Missing(name)),
             Some(source) => {
                 let proof = prove(source, kernel, &references_of(family, kernel));
+                let bound = bound_proof(source).map_err(|cause| PipelineError::Bound { kernel: name.clone(), cause });
                 causes.extend(proof.err().map(|cause| PipelineError::Unproved { kernel: name, cause }));
+                causes.extend(bound.err());
             }
         }
     }

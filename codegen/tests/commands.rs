@@ -63,6 +63,19 @@ fn a_changed_sign_in_a_generated_file_names_file_and_remedy() {
 }
 
 #[test]
+fn a_bound_that_the_text_does_not_prove_names_kernel_and_step() {
+    let _turn = turn();
+    let project = project();
+    let family = project.path().join("kernels/src/generated/turnaround.rs");
+    edit(&family, "bound = 8.01", "bound = 7.01");
+    let texts =
+        ["bound of `turnaround::t_in`, re-derived from its Rust text", "`t_in`: the bound is stated as 7.01 ulp"];
+    refuses(project.path(), &["check"], &texts);
+    edit(&family, "let sum = product + 3.0 * t_edge_total", "let sum = product - 3.0 * t_edge_total");
+    refuses(project.path(), &["check"], &["`turnaround::t_in`", "`sum`: `product - 3.0 * t_edge_total` may cancel"]);
+}
+
+#[test]
 fn missing_and_orphaned_files_are_named() {
     let _turn = turn();
     let project = project();

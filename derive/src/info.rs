@@ -65,7 +65,7 @@ fn result(result: &ResultMeta) -> TokenStream {
 }
 
 fn operations_literal(kernel: &Kernel) -> TokenStream {
-    let closedform_syntax::Operations { add, mul, div, sqrt, compensated, root } = operations(kernel);
+    let closedform_syntax::Operations { add, mul, div, sqrt, compensated, root, .. } = operations(kernel);
     quote! {
         ::closedform::Operations {
             add: #add, mul: #mul, div: #div, sqrt: #sqrt, compensated: #compensated, root: #root

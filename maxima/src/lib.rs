@@ -1,4 +1,4 @@
-//! The Maxima language: parse with spans, print, evaluate in MPFR.
+//! The Maxima language: parse with spans, print, evaluate in MPFR and in doubles.
 //!
 //! ```
 //! use closedform_maxima::{parse_expression, print, to_latex};
@@ -12,6 +12,7 @@
 
 pub mod ast;
 mod definition;
+mod double;
 mod error;
 #[cfg(feature = "mpfr")]
 pub mod evaluate;
@@ -25,6 +26,7 @@ mod token;
 
 pub use ast::{BinaryOperator, Expr, ExprKind, Statement, Terminator, UnaryOperator};
 pub use definition::{Definition, Worksheet, definition, definitions, worksheet};
+pub use double::{DoubleOperations, double_operations, evaluate_double};
 pub use error::{Error, Errors};
 #[cfg(feature = "mpfr")]
 pub use evaluate::{EvalError, evaluate, evaluate_stable};

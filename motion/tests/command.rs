@@ -79,7 +79,7 @@ fn every_kind_is_planned_tabled_and_drawn() {
             rows
         );
         good(path, &format!("plot {kind} {flags} --dark"));
-        assert!(fs::read_to_string(path.join(format!("{kind}.svg"))).expect("a picture").contains("#0d1117"));
+        assert!(fs::read_to_string(path.join(format!("{kind}.svg"))).expect("a picture").contains("#0D1117"));
     }
 }
 

@@ -1,7 +1,11 @@
 //! Pictures: what is in them, that nothing overlaps, and what is refused.
 
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Once;
+
 use closedform_motion::plot::{Chart, Mark, Panel, Picture, PlotError, Series, Theme};
 use closedform_motion::{Axis, Limits, Motion, Profile, Segment, State};
+use plotters::style::{FontDesc, FontFamily, FontStyle, register_font};
 use proptest::prelude::*;
 
 fn profile(segments: Vec<Segment>) -> Profile {
@@ -30,7 +34,7 @@ fn motion(lengths: &[f64], time: f64, limits: [f64; 3]) -> Motion {
     Motion::new(lengths.iter().enumerate().map(axis).collect())
 }
 
-/// A text of a picture and the box that it fills, as wide as DejaVu Sans is on average.
+/// A text of a picture and the box that it fills in DejaVu Sans.
 #[derive(Debug)]
 struct Text {
     text: String,
@@ -40,28 +44,65 @@ struct Text {
     bottom: f64,
 }
 
+/// Coordinates of the SVG a pixel of the picture.
+const FINE: f64 = 10.0;
+
 fn texts(svg: &str) -> Vec<Text> {
-    svg.lines().filter(|line| line.starts_with("<text ")).map(text).collect()
+    let lines: Vec<&str> = svg.lines().collect();
+    lines.windows(2).filter(|pair| pair[0].starts_with("<text ")).map(|pair| text(pair[0], pair[1])).collect()
 }
 
-fn text(line: &str) -> Text {
-    let attribute = |name: &str| {
-        let (_, rest) = line.split_once(&format!(" {name}=\""))?;
-        rest.split_once('"').map(|(value, _)| value)
-    };
-    let number = |name: &str| attribute(name).and_then(|value| value.parse::<f64>().ok()).expect("a number");
-    let content = line.split_once('>').and_then(|(_, rest)| rest.split_once('<')).expect("a text").0;
+fn attribute<'a>(line: &'a str, name: &str) -> Option<&'a str> {
+    let (_, rest) = line.split_once(&format!(" {name}=\""))?;
+    rest.split_once('"').map(|(value, _)| value)
+}
+
+fn wide(text: &str, size: f64, is_bold: bool) -> f64 {
+    static FONTS: Once = Once::new();
+    FONTS.call_once(|| {
+        for (style, bytes) in [(FontStyle::Normal, dejavu::sans::regular()), (FontStyle::Bold, dejavu::sans::bold())] {
+            assert!(register_font("DejaVu", style, bytes).is_ok());
+        }
+    });
+    // The size of the plotting library is the height of a line, 1.164 of the size of the font.
+    let style = if is_bold { FontStyle::Bold } else { FontStyle::Normal };
+    let font = FontDesc::new(FontFamily::Name("DejaVu"), 1000.0 * 1.164, style);
+    let text = text.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&amp;", "&");
+    f64::from(font.box_size(&text).expect("a width").0) * size / 1000.0
+}
+
+fn text(line: &str, content: &str) -> Text {
+    let number =
+        |name: &str| attribute(line, name).and_then(|value| value.parse::<f64>().ok()).expect("a number") / FINE;
     let size = number("font-size");
-    let width = content.chars().count() as f64 * size * if attribute("font-weight").is_some() { 0.62 } else { 0.56 };
-    let left = number("x")
-        - width
-            * match attribute("text-anchor") {
-                None => 0.0,
-                Some("middle") => 0.5,
-                Some(_) => 1.0,
-            };
-    let base = number("y");
+    let width = wide(content, size, attribute(line, "font-weight").is_some());
+    let before = match attribute(line, "text-anchor") {
+        Some("start") => 0.0,
+        Some("middle") => 0.5,
+        _ => 1.0,
+    };
+    let left = number("x") - width * before;
+    let below = match attribute(line, "dy").expect("a shift") {
+        "0.76em" => 0.76,
+        "0.5ex" => 0.27,
+        "-0.5ex" => -0.27,
+        other => panic!("{other}"),
+    };
+    let base = number("y") + below * size;
     Text { text: content.to_owned(), left, right: left + width, top: base - 0.75 * size, bottom: base + 0.15 * size }
+}
+
+/// The heights of dashed lines, in pixels of the picture, each with the number of its dashes.
+fn dashed(svg: &str) -> BTreeMap<String, usize> {
+    let is_limit = |line: &&str| line.starts_with("<polyline ") && attribute(line, "stroke-width") == Some("16");
+    let mut heights = BTreeMap::new();
+    for line in svg.lines().filter(is_limit) {
+        let points = attribute(line, "points").expect("points");
+        let heights_of: BTreeSet<&str> = points.split_whitespace().filter_map(|at| at.split(',').nth(1)).collect();
+        assert_eq!(heights_of.len(), 1, "{line}");
+        *heights.entry(heights_of.first().expect("a point").to_string()).or_insert(0) += 1;
+    }
+    heights
 }
 
 /// No text leaves the picture or lies over another.
@@ -112,7 +153,8 @@ fn limits_are_dashed_lines_with_their_value() {
     assert!(texts.contains(&"limit 20 mm/s".to_owned()), "{texts:?}");
     assert!(texts.iter().any(|text| text.starts_with("limit 100 m/s²") && text.ends_with("not shown")), "{texts:?}");
     assert!(texts.contains(&"limit 20 m/s³".to_owned()), "{texts:?}");
-    assert_eq!(svg.matches("stroke-dasharray=\"7 5\"").count(), 3);
+    let dashed = dashed(&svg);
+    assert!(dashed.len() == 3 && dashed.values().all(|dashes| *dashes > 20), "{dashed:?}");
 }
 
 #[test]

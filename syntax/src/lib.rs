@@ -28,7 +28,7 @@ pub use interpret::{Arithmetic, Violation, evaluate, violated};
 pub use kernel::{
     BinaryOp, Comparison, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Require, ResultMeta, Slice,
 };
-pub use operations::{Operations, operations};
+pub use operations::{Operations, operations, operations_of};
 pub use slice::{MAX_FACTORS, SliceArithmetic, fold_compensated, fold_residual};
 
 use proc_macro2::TokenStream;

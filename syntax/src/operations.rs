@@ -1,5 +1,7 @@
 //! What a kernel costs, counted without running it.
 
+use std::collections::BTreeSet;
+
 use crate::kernel::{BinaryOp, Condition, Expr, Kernel};
 
 /// How many operations one evaluation takes; signs, magnitudes, comparisons and choices are free.
@@ -15,6 +17,8 @@ pub struct Operations {
     pub sqrt: u32,
     /// Additions and multiplications in double-double, inside `compensated!` and `residual!`.
     pub compensated: u32,
+    /// Slices, each rounded once at its end.
+    pub slices: u32,
     /// Roots of polynomials, found by iteration.
     pub root: u32,
 }
@@ -25,6 +29,53 @@ pub fn operations(kernel: &Kernel) -> Operations {
     let steps = kernel.lets.iter().map(|step| &step.value);
     steps.chain(kernel.output.values()).for_each(|value| count.expression(value));
     count
+}
+
+/// Counts the operations of one result, by position, and of the steps that it needs.
+pub fn operations_of(kernel: &Kernel, result: usize) -> Operations {
+    let mut count = Operations::default();
+    let mut needed = BTreeSet::new();
+    let mut take = |value: &Expr, needed: &mut BTreeSet<usize>| {
+        count.expression(value);
+        visit_names(value, &mut |slot| {
+            needed.insert(slot);
+        });
+    };
+    kernel.output.values().nth(result).into_iter().for_each(|value| take(value, &mut needed));
+    for (position, step) in kernel.lets.iter().enumerate().rev() {
+        if needed.contains(&(kernel.inputs.len() + position)) {
+            take(&step.value, &mut needed);
+        }
+    }
+    count
+}
+
+/// Calls `visit` with the slot of every name in the expression.
+fn visit_names(expr: &Expr, visit: &mut impl FnMut(usize)) {
+    match expr {
+        Expr::Literal { .. } | Expr::Pi(_) => {}
+        Expr::Name(name) => visit(name.slot),
+        Expr::Neg(inner) | Expr::Abs(inner) | Expr::Sqrt(inner) | Expr::Residual(inner) => visit_names(inner, visit),
+        Expr::Compensated(slice) => visit_names(&slice.value, visit),
+        Expr::Extreme { items, .. } | Expr::PositiveRoot(items) => {
+            items.iter().for_each(|value| visit_names(value, visit));
+        }
+        Expr::Binary { left, right, .. } => [left, right].into_iter().for_each(|side| visit_names(side, visit)),
+        Expr::If { condition, then, otherwise } => {
+            visit_condition(condition, visit);
+            [then, otherwise].into_iter().for_each(|side| visit_names(side, visit));
+        }
+    }
+}
+
+fn visit_condition(condition: &Condition, visit: &mut impl FnMut(usize)) {
+    match condition {
+        Condition::Compare { left, right, .. } => [left, right].into_iter().for_each(|side| visit_names(side, visit)),
+        Condition::And(left, right) | Condition::Or(left, right) => {
+            [left, right].into_iter().for_each(|side| visit_condition(side, visit));
+        }
+        Condition::Not(inner) => visit_condition(inner, visit),
+    }
 }
 
 impl Operations {
@@ -47,13 +98,18 @@ impl Operations {
                 self.expression(then);
                 self.expression(otherwise);
             }
-            Expr::Compensated(slice) => self.compensated += slice_operations(&slice.value),
-            Expr::Residual(slice) => self.compensated += slice_operations(slice),
+            Expr::Compensated(slice) => self.slice(&slice.value),
+            Expr::Residual(slice) => self.slice(slice),
             Expr::PositiveRoot(coefficients) => {
                 self.root += 1;
                 coefficients.iter().for_each(|coefficient| self.expression(coefficient));
             }
         }
+    }
+
+    fn slice(&mut self, value: &Expr) {
+        self.slices += 1;
+        self.compensated += slice_operations(value);
     }
 
     fn operator(&mut self, op: BinaryOp) -> &mut u32 {
@@ -85,5 +141,27 @@ fn slice_operations(slice: &Expr) -> u32 {
         Expr::Binary { left, right, .. } => 1 + slice_operations(left) + slice_operations(right),
         Expr::Neg(inner) => slice_operations(inner),
         _ => 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_result_takes_its_own_steps_only() {
+        let source = "pub struct S { pub p: f64, pub q: f64 }
+            #[kernel]
+            pub fn f(x: f64, y: f64) -> S {
+                let shared = compensated!(x * y - 1.0);
+                let own = sqrt(x) / shared;
+                let other = x + y + 1.0;
+                S { p: own * own, q: if other > 0.0 { shared } else { -shared } }
+            }";
+        let kernel = crate::parse_file(source).unwrap().remove(0);
+        let slice = Operations { compensated: 2, slices: 1, ..Operations::default() };
+        assert_eq!(operations_of(&kernel, 0), Operations { mul: 1, div: 1, sqrt: 1, ..slice });
+        assert_eq!(operations_of(&kernel, 1), Operations { add: 2, ..slice });
+        assert_eq!(operations(&kernel), Operations { add: 2, mul: 1, div: 1, sqrt: 1, ..slice });
     }
 }

@@ -14,6 +14,9 @@ const LIMIT: i32 = 128;
 /// The exponents of `Maker::Wide`.
 const WIDE: f64 = 100.0;
 
+/// The exponents of `Maker::Octaves`.
+const OCTAVES: f64 = 20.0;
+
 /// Candidates that are tried before a maker gives up.
 const TRIES: usize = 10_000;
 
@@ -32,14 +35,27 @@ pub enum Maker {
     Bits,
     /// Uniform over bit patterns of exponents far beyond the typical ones.
     Wide,
+    /// A sign times 2^U(-20, 20).
+    Octaves,
     /// Uniform over reals.
     Reals,
 }
 
 impl Maker {
     /// Every maker.
-    pub const ALL: [Maker; 7] =
-        [Maker::Edges, Maker::Subterms, Maker::NearEqual, Maker::Logarithmic, Maker::Bits, Maker::Wide, Maker::Reals];
+    pub const ALL: [Maker; 8] = [
+        Maker::Edges,
+        Maker::Subterms,
+        Maker::NearEqual,
+        Maker::Logarithmic,
+        Maker::Bits,
+        Maker::Wide,
+        Maker::Octaves,
+        Maker::Reals,
+    ];
+
+    /// Samplings that know nothing of the kernel but its domain: bit patterns, octaves, reals.
+    pub const SAMPLINGS: [Maker; 3] = [Maker::Wide, Maker::Octaves, Maker::Reals];
 }
 
 /// Points of one kernel and where they come from.
@@ -159,6 +175,7 @@ impl Space {
                 with_bits(random.between(low - 10.0, high + 10.0), random)
             })),
             Maker::Wide => Some(self.each(random, |_, random| with_bits(random.between(-WIDE, WIDE), random))),
+            Maker::Octaves => Some(self.each(random, |_, random| random.between(-OCTAVES, OCTAVES).exp2())),
             Maker::Reals => Some(self.each(random, |input, random| random.between(input.typical.0, input.typical.1))),
         }
     }

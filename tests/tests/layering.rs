@@ -6,9 +6,11 @@ use closedform_tests::layering::{self, Edge};
 use closedform_tests::workspace;
 
 /// What crates may depend on, among those of the workspace.
-const CRATES: [(&str, &str); 11] = [
+const CRATES: [(&str, &str); 14] = [
     ("closedform", "closedform-derive"),
+    ("closedform-bounds", "closedform-syntax"),
     ("closedform-codegen", "closedform"),
+    ("closedform-codegen", "closedform-bounds"),
     ("closedform-codegen", "closedform-maxima"),
     ("closedform-codegen", "closedform-syntax"),
     ("closedform-derive", "closedform-syntax"),
@@ -16,6 +18,7 @@ const CRATES: [(&str, &str); 11] = [
     ("closedform-motion", "closedform"),
     ("closedform-motion", "closedform-kernels"),
     ("closedform-tests", "closedform"),
+    ("closedform-tests", "closedform-bounds"),
     ("closedform-tests", "closedform-kernels"),
     ("closedform-tests", "closedform-maxima"),
 ];

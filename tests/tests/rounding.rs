@@ -6,7 +6,7 @@ use closedform_tests::failure::Failure;
 use closedform_tests::hunt::hunt;
 use closedform_tests::inputs::{Maker, Points};
 use closedform_tests::random::seed;
-use closedform_tests::{kernels, parallel, shapes, strategy, table};
+use closedform_tests::{kept, kernels, parallel, plain, shapes, strategy, table};
 
 /// Demands something of every kernel, in parallel; all failures are told.
 fn demand(work: impl Fn(&Judge) -> Result<(), String> + Sync) {
@@ -15,9 +15,9 @@ fn demand(work: impl Fn(&Judge) -> Result<(), String> + Sync) {
     assert!(failures.is_empty(), "\n{}", failures.join("\n\n"));
 }
 
-/// What comes out at the points of all makers.
+/// What comes out at the kept worst inputs and at the points of all makers.
 fn measure(judge: &Judge) -> Result<Report, Box<Failure>> {
-    let mut report = Report::default();
+    let mut report = check(judge, &kept::points(judge, &kept::load()))?;
     for maker in Maker::ALL {
         report.merge(check(judge, &judge.space.inside(maker, seed(), budget().points))?);
     }
@@ -39,9 +39,25 @@ fn bounds_are_kept() {
 }
 
 #[test]
+fn kept_worst_inputs_got_no_worse() {
+    let complaints = kept::complaints(&kernels::judges(), &kept::load());
+    assert!(complaints.is_empty(), "\n{}", complaints.join("\n\n"));
+}
+
+#[test]
+fn no_kernel_is_worse_than_its_plain_form() {
+    demand(|judge| {
+        let mut points = Maker::SAMPLINGS.map(|maker| judge.space.inside(maker, seed(), budget().points)).to_vec();
+        points.push(kept::points(judge, &kept::load()));
+        points.iter().try_for_each(|points| plain::check_plain(judge, points))
+    });
+}
+
+#[test]
 fn climbs_stay_below_bounds() {
     demand(|judge| {
-        let starts = judge.space.inside(Maker::Bits, seed(), budget().climbs);
+        let mut starts = judge.space.inside(Maker::Bits, seed(), budget().climbs);
+        starts.list.extend(kept::points(judge, &kept::load()).list);
         let summit = hunt(judge, &starts, budget().steps, seed()).map_err(|failure| failure.to_string())?;
         let summit = summit.ok_or_else(|| format!("{}: no climb can start", judge.kernel.info.name))?;
         println!("{:<40} {:.3} of its bound at {:?}", judge.kernel.info.name, summit.score, summit.inputs);
@@ -85,6 +101,7 @@ fn faithful_results_are_less_than_one_ulp_off() {
     demand(|judge| {
         let mut points: Vec<Points> =
             Maker::ALL.into_iter().map(|maker| judge.space.inside(maker, seed(), budget().points)).collect();
+        points.push(kept::points(judge, &kept::load()));
         points.push(judge.space.extreme(seed(), budget().points));
         let worst = points.iter().map(|points| shapes::check_faithful(judge, points)).collect::<Result<Vec<_>, _>>()?;
         println!("{:<40} {:.3} ulp", judge.kernel.info.name, worst.into_iter().fold(0.0, f64::max));

@@ -1,10 +1,11 @@
 //! `closedform check`: the generated kernels are what the references say, and with `--maxima` what Maxima says today.
 
 use super::generate::{kernels, worksheets};
-use super::verify::worst_of_all;
 use super::{readme, verdicts};
+use crate::bound_proof::bound_proof;
 use crate::catalogue::Catalogue;
 use crate::folder::{self, Difference};
+use crate::ledger;
 use crate::worker::{self, Source};
 use crate::worksheet::derive::{Options, compare_golden};
 use crate::worksheet::family::family_names;
@@ -46,7 +47,10 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
         verdicts::check_list(&worksheets(root))?;
     }
     fresh(root)?;
-    println!("fresh: {} holds what the references generate, all kernels proved", kernels(root).display());
+    println!(
+        "fresh: {} holds what the references generate, all kernels and their bounds proved",
+        kernels(root).display()
+    );
     if args.maxima {
         live(root)?;
         println!("live: every kernel equals what Maxima derives, and every golden value is what Maxima computes");
@@ -57,18 +61,25 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
 fn fresh(root: &Path) -> miette::Result<()> {
     let generated = worker::run(&Source::Folder(worksheets(root)))?;
     let differences = folder::compare(&kernels(root), &generated.files).into_diagnostic()?;
-    let mut stale: Vec<String> = differences.iter().map(|difference| describe(root, difference)).collect();
-    if stale.is_empty() && root.join("README.md").exists() {
+    let differences = differences.iter().map(|difference| describe(root, difference));
+    let mut stale: Vec<String> = unbounded(root).into_iter().chain(differences).collect();
+    if stale.is_empty() && (root.join("README.md").exists() || root.join("tests").is_dir()) {
         let catalogue = Catalogue::load(&kernels(root))?;
-        let worst = worst_of_all(&catalogue, readme::POINTS)?;
-        let table = readme::expected(root, &catalogue, &worst);
-        stale.extend(
-            table
-                .filter(|(expected, present)| expected != present)
-                .map(|_| "stale: the table of kernels in README.md".to_owned()),
-        );
+        let rows = ledger::rows(root, &catalogue, ledger::POINTS)?;
+        let table = readme::expected(root, &catalogue, &rows).filter(|(expected, present)| expected != present);
+        stale.extend(table.map(|_| "stale: the table of kernels in README.md".to_owned()));
+        let ledger_text = ledger::expected(root, &rows)?.filter(|(expected, present)| expected != present);
+        stale.extend(ledger_text.map(|_| format!("stale: {}", ledger::path(root).display())));
     }
     if stale.is_empty() { Ok(()) } else { Err(CheckError::Stale(stale).into()) }
+}
+
+/// The kernels as checked in whose text does not prove the bounds that it states.
+fn unbounded(root: &Path) -> Vec<String> {
+    let Ok(catalogue) = Catalogue::load(&kernels(root)) else { return Vec::new() };
+    let refused =
+        catalogue.entries().iter().filter_map(|entry| Some((entry.full_name(), bound_proof(&entry.kernel).err()?)));
+    refused.map(|(name, cause)| format!("bound of `{name}`, re-derived from its Rust text: {cause}")).collect()
 }
 
 fn describe(root: &Path, difference: &Difference) -> String {

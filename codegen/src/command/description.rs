@@ -96,7 +96,7 @@ impl Description {
 
 impl OperationCounts {
     fn of(entry: &Entry) -> Self {
-        let closedform_syntax::Operations { add, mul, div, sqrt, compensated, root } =
+        let closedform_syntax::Operations { add, mul, div, sqrt, compensated, root, .. } =
             closedform_syntax::operations(&entry.kernel);
         Self { add, mul, div, sqrt, compensated, root }
     }

@@ -1,11 +1,10 @@
 //! `closedform generate`: references to kernels, proved and measured; or a worksheet of one's own to a crate of its own.
 
-use super::verify::worst_of_all;
 use super::{output, readme};
 use crate::catalogue::Catalogue;
 use crate::pipeline::Made;
 use crate::worker::{self, Source};
-use crate::{crate_text, folder};
+use crate::{crate_text, folder, ledger};
 use clap::Args as ClapArgs;
 use comfy_table::Table;
 use miette::{IntoDiagnostic, WrapErr, bail};
@@ -20,8 +19,8 @@ pub struct Args {
     /// The folder of that crate
     #[arg(long, value_name = "DIR", requires = "input")]
     out: Option<PathBuf>,
-    /// How many points of each kernel's domain to measure for the table; README.md is written with the default only
-    #[arg(long, default_value_t = readme::POINTS)]
+    /// How many points of each kernel's domain to measure for the table; README.md and the ledger are written with the default only
+    #[arg(long, default_value_t = ledger::POINTS)]
     points: u32,
 }
 
@@ -54,13 +53,14 @@ fn project(args: &Args, root: &Path) -> miette::Result<()> {
     let target = kernels(root);
     let mut changed = write(&target, &generated.files)?;
     let catalogue = Catalogue::load(&target)?;
-    let worst = worst_of_all(&catalogue, args.points)?;
-    if args.points == readme::POINTS {
-        changed += usize::from(readme::update(root, &catalogue, &worst)?);
+    let rows = ledger::rows(root, &catalogue, args.points)?;
+    if args.points == ledger::POINTS {
+        changed += usize::from(readme::update(root, &catalogue, &rows)?);
+        changed += usize::from(ledger::update(root, &rows)?);
     }
-    report(&generated.kernels, &catalogue, &worst)?;
+    report(&generated.kernels, &catalogue, &rows)?;
     eprintln!(
-        "{} kernels, all proved equal to their reference expressions; {changed} files changed",
+        "{} kernels, all proved equal to their reference expressions, all bounds proved; {changed} files changed",
         generated.kernels.len()
     );
     Ok(())
@@ -81,7 +81,7 @@ fn own_crate(args: &Args, input: &Path, out: &Path, root: &Path) -> miette::Resu
         write(&out.join(below), files)?;
     }
     let catalogue = Catalogue::load(&out.join("src"))?;
-    report(&generated.kernels, &catalogue, &worst_of_all(&catalogue, args.points)?)?;
+    report(&generated.kernels, &catalogue, &ledger::rows(out, &catalogue, args.points)?)?;
     eprintln!("{} kernels in {}: `cargo test` there runs their judges", generated.kernels.len(), out.display());
     Ok(())
 }
@@ -94,15 +94,15 @@ fn write(target: &Path, files: &std::collections::BTreeMap<String, String>) -> m
     folder::replace(target, files).into_diagnostic().wrap_err_with(|| format!("cannot write {}", target.display()))
 }
 
-fn report(made: &[Made], catalogue: &Catalogue, worst: &[f64]) -> miette::Result<()> {
+fn report(made: &[Made], catalogue: &Catalogue, rows: &[ledger::Row]) -> miette::Result<()> {
     let mut table: Table = output::table(["kernel", "rules", "+ * / sqrt wide", "worst ulp", "bound", "proof"]);
-    for (entry, worst) in catalogue.entries().iter().zip(worst) {
+    for entry in catalogue.entries() {
         let Some(kernel) = made.iter().find(|kernel| kernel.kernel == entry.full_name()) else { continue };
         table.add_row([
             kernel.kernel.clone(),
             kernel.rules.join(" "),
             kernel.operations.map(|count| count.to_string()).join(" "),
-            format!("{worst:.2}"),
+            format!("{:.2}", ledger::worst_of(rows, &entry.full_name())),
             format!("{}", kernel.bound),
             "exact".to_owned(),
         ]);

@@ -5,6 +5,7 @@ pub mod derive;
 pub mod description;
 pub mod eval;
 pub mod generate;
+pub mod ledger;
 pub mod list;
 pub mod motion;
 pub mod output;

@@ -1,6 +1,7 @@
 //! The table of kernels in README.md: written by `generate`, compared by `check`.
 
 use crate::catalogue::{Catalogue, Entry};
+use crate::ledger::{Row, worst_of};
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{fs, io};
@@ -8,16 +9,12 @@ use std::{fs, io};
 const BEGIN: &str = "<!-- kernels: written by `closedform generate` -->\n";
 const END: &str = "<!-- end of kernels -->\n";
 
-/// How many points of each domain the table's measured errors come from.
-pub const POINTS: u32 = 200;
-
-/// README.md as it should be, and as it is; `None` where there is none or it holds no table. `worst` are the measured
-/// errors of the kernels at [`POINTS`] points, in order.
-pub fn expected(root: &Path, catalogue: &Catalogue, worst: &[f64]) -> Option<(String, String)> {
+/// README.md as it should be, and as it is; `None` where there is none or it holds no table.
+pub fn expected(root: &Path, catalogue: &Catalogue, rows: &[Row]) -> Option<(String, String)> {
     let text = fs::read_to_string(root.join("README.md")).ok()?;
     let (before, rest) = text.split_once(BEGIN)?;
     let (_, after) = rest.split_once(END)?;
-    let expected = format!("{before}{BEGIN}{}{END}{after}", table(catalogue, worst));
+    let expected = format!("{before}{BEGIN}{}{END}{after}", table(catalogue, rows));
     Some((expected, text))
 }
 
@@ -26,8 +23,8 @@ pub fn expected(root: &Path, catalogue: &Catalogue, worst: &[f64]) -> Option<(St
 /// # Errors
 ///
 /// When the file cannot be written.
-pub fn update(root: &Path, catalogue: &Catalogue, worst: &[f64]) -> miette::Result<bool> {
-    let Some((expected, present)) = expected(root, catalogue, worst) else { return Ok(false) };
+pub fn update(root: &Path, catalogue: &Catalogue, rows: &[Row]) -> miette::Result<bool> {
+    let Some((expected, present)) = expected(root, catalogue, rows) else { return Ok(false) };
     if expected == present {
         return Ok(false);
     }
@@ -44,10 +41,10 @@ fn write(root: &Path, text: &str) -> io::Result<()> {
     Ok(())
 }
 
-fn table(catalogue: &Catalogue, worst: &[f64]) -> String {
+fn table(catalogue: &Catalogue, rows: &[Row]) -> String {
     let mut text =
         String::from("| kernel | what it computes | domain | bound, ulp | worst measured |\n|---|---|---|---|---|\n");
-    for (entry, worst) in catalogue.entries().iter().zip(worst) {
+    for entry in catalogue.entries() {
         let _ = writeln!(
             text,
             "| `{}` | {} | {} | {} | {:.2} |",
@@ -55,7 +52,7 @@ fn table(catalogue: &Catalogue, worst: &[f64]) -> String {
             entry.kernel.meta.summary.trim_end_matches('.'),
             domain(entry),
             bound(entry),
-            worst
+            worst_of(rows, &entry.full_name())
         );
     }
     text

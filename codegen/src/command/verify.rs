@@ -1,15 +1,19 @@
 //! `closedform verify [KERNEL]`: kernels against their references, at points chosen where it hurts.
 
+mod hunt;
 mod report;
 
 use std::path::Path;
+use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use miette::Diagnostic;
+use miette::{Diagnostic, bail};
 use thiserror::Error;
 
 use super::output;
 use crate::catalogue::{Catalogue, DomainError, Entry, unit_of};
+use crate::hunt::{Budget, HuntError, parse_duration};
+use crate::kept::KeptInputs;
 use crate::measure::{Measurement, Reference, ReferenceError, ValueError, measure};
 use crate::worksheet::contract::{Input, TYPICAL};
 use crate::worksheet::sample::{EmptyDomain, sample};
@@ -26,6 +30,15 @@ pub struct Args {
     /// Where the random numbers start: the same points for the same seed
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
+    /// Climb towards the worst inputs for so long in all, such as 60s or 10min, instead of measuring points
+    #[arg(long, value_name = "TIME", value_parser = parse_duration, conflicts_with_all = ["steps", "points"])]
+    hunt: Option<Duration>,
+    /// Climb so many steps for each result: the same hunt for the same seed
+    #[arg(long, value_name = "N", conflicts_with = "points")]
+    steps: Option<u64>,
+    /// Keep the worst inputs found in tests/worst, where every judge replays them
+    #[arg(long)]
+    keep: bool,
     /// Write JSON
     #[arg(long)]
     json: bool,
@@ -61,6 +74,7 @@ enum Cause {
     Reference(#[from] ReferenceError),
     Value(#[from] ValueError),
     Uncovered(#[from] Uncovered),
+    Hunt(#[from] HuntError),
 }
 
 /// No point was measured.
@@ -79,17 +93,15 @@ struct Uncovered {
 pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
     let catalogue = Catalogue::open(root)?;
     let entries = catalogue.select(args.kernel.as_deref())?;
-    let bar = progress_bar(entries.len() as u64 * u64::from(args.points));
-    let replay = Replay { root, seed: args.seed };
-    let (mut rows, mut unmeasured) = (Vec::new(), Vec::new());
-    for entry in &entries {
-        bar.set_message(entry.full_name());
-        match measured(entry, args, &bar) {
-            Ok(measurement) => rows.extend(report::rows(entry, &measurement, &replay)),
-            Err(cause) => unmeasured.push(Unmeasured { kernel: entry.full_name(), cause }),
+    let (rows, unmeasured) = match plan(args)? {
+        Some(plan) => {
+            let bar = progress_bar(entries.len() as u64);
+            let found = hunt::hunted(&catalogue, &entries, plan, root, &bar)?;
+            bar.finish_and_clear();
+            found
         }
-    }
-    bar.finish_and_clear();
+        None => sampled(&entries, args, root)?,
+    };
     if args.json {
         output::print_json(&rows)?
     } else {
@@ -98,33 +110,42 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
     conclude(&rows, unmeasured)
 }
 
-fn measured(entry: &Entry, args: &Args, bar: &ProgressBar) -> Result<Measurement, Cause> {
-    let points = sample(&entry.domain()?, &inputs(entry).iter().collect::<Vec<_>>(), args.points as usize, args.seed)?;
+/// How to hunt, if that is asked for.
+fn plan(args: &Args) -> miette::Result<Option<hunt::Plan>> {
+    let budget = args.hunt.map(Budget::Time).or(args.steps.map(Budget::Steps));
+    if args.keep && budget.is_none() {
+        bail!(help = "add --hunt 60s, or --steps 0 to measure again what is kept", "nothing to keep without a hunt");
+    }
+    Ok(budget.map(|budget| hunt::Plan { budget, seed: args.seed, keep: args.keep }))
+}
+
+/// Measures kernels at the points kept of them and at samples of their domains.
+fn sampled(entries: &[&Entry], args: &Args, root: &Path) -> miette::Result<(Vec<Row>, Vec<Unmeasured>)> {
+    let kept = KeptInputs::load(root)?;
+    let bar = progress_bar(entries.len() as u64 * u64::from(args.points));
+    let replay = Replay { root, seed: args.seed };
+    let (mut rows, mut unmeasured) = (Vec::new(), Vec::new());
+    for entry in entries {
+        bar.set_message(entry.full_name());
+        match measured(entry, &kept, args, &bar) {
+            Ok(measurement) => rows.extend(report::rows(entry, &measurement, &replay)),
+            Err(cause) => unmeasured.push(Unmeasured { kernel: entry.full_name(), cause }),
+        }
+    }
+    bar.finish_and_clear();
+    Ok((rows, unmeasured))
+}
+
+fn measured(entry: &Entry, kept: &KeptInputs, args: &Args, bar: &ProgressBar) -> Result<Measurement, Cause> {
+    let domain = entry.domain()?;
+    let mut points = kept.points(entry).concat();
+    points.retain(|point| domain.holds(point));
+    points.extend(sample(&domain, &inputs(entry).iter().collect::<Vec<_>>(), args.points as usize, args.seed)?);
     let measurement = measure(&entry.kernel, &Reference::of(&entry.kernel)?, &points, || bar.inc(1))?;
     if measurement.covered == 0 {
         return Err(Uncovered { points: points.len() }.into());
     }
     Ok(measurement)
-}
-
-/// The worst error in ulp of all results of a kernel at some points of its domain.
-///
-/// # Errors
-///
-/// When the kernel cannot be measured.
-fn worst_of(entry: &Entry, points: u32) -> miette::Result<f64> {
-    let points = sample(&entry.domain()?, &inputs(entry).iter().collect::<Vec<_>>(), points as usize, 1)?;
-    let measurement = measure(&entry.kernel, &Reference::of(&entry.kernel)?, &points, || ())?;
-    Ok(measurement.worst.iter().flatten().map(|worst| worst.ulp).fold(0.0, f64::max))
-}
-
-/// The worst error in ulp of each kernel, in order.
-///
-/// # Errors
-///
-/// When a kernel cannot be measured.
-pub fn worst_of_all(catalogue: &Catalogue, points: u32) -> miette::Result<Vec<f64>> {
-    catalogue.entries().iter().map(|entry| worst_of(entry, points)).collect()
 }
 
 /// The inputs as samplers know them.
@@ -177,11 +198,15 @@ mod tests {
     use super::*;
     use crate::catalogue::fixture;
 
+    fn arguments(points: u32, seed: u64) -> Args {
+        Args { kernel: None, points, seed, hunt: None, steps: None, keep: false, json: true }
+    }
+
     fn verified(kernel: &str) -> Vec<Row> {
         let (_folder, catalogue) = fixture::catalogue();
         let entry = catalogue.find(kernel).unwrap();
-        let args = Args { kernel: None, points: 300, seed: 7, json: false };
-        let measurement = measured(entry, &args, &ProgressBar::hidden()).unwrap();
+        let args = arguments(300, 7);
+        let measurement = measured(entry, &KeptInputs::default(), &args, &ProgressBar::hidden()).unwrap();
         report::rows(entry, &measurement, &Replay { root: Path::new("."), seed: 7 })
     }
 
@@ -207,11 +232,39 @@ mod tests {
     }
 
     #[test]
+    fn what_a_hunt_finds_is_kept_and_replayed() {
+        let (folder, catalogue) = fixture::catalogue();
+        let hunted = |keep| Args { steps: Some(500), keep, ..arguments(1, 1) };
+        let error = run(&hunted(true), folder.path()).unwrap_err();
+        assert_eq!(error.to_string(), "1 result exceeds its bound");
+        let kept = KeptInputs::load(folder.path()).unwrap();
+        let entry = catalogue.find("line::slope").unwrap();
+        let measurement = measured(entry, &kept, &arguments(1, 1), &ProgressBar::hidden()).unwrap();
+        assert!(measurement.worst[0].as_ref().is_some_and(|worst| worst.ulp > 1e3), "{measurement:?}");
+        let again = hunt::hunted(
+            &catalogue,
+            &[entry],
+            plan(&hunted(false)).unwrap().unwrap(),
+            folder.path(),
+            &ProgressBar::hidden(),
+        );
+        let (rows, _) = again.unwrap();
+        assert!(rows[0].exceeds());
+        assert_eq!(KeptInputs::load(folder.path()).unwrap(), kept);
+    }
+
+    #[test]
+    fn keeping_needs_a_hunt() {
+        assert!(plan(&Args { keep: true, ..arguments(1, 1) }).is_err());
+        assert!(plan(&arguments(1, 1)).unwrap().is_none());
+    }
+
+    #[test]
     fn what_cannot_be_measured_says_why() {
         let folder = tempfile::tempdir().unwrap();
         let source = "#[kernel]\npub fn f(x: f64) -> f64 { require!(x > 0.0 && x < 1.0); x }";
         std::fs::write(folder.path().join("hand.rs"), source).unwrap();
-        let args = Args { kernel: None, points: 10, seed: 1, json: true };
+        let args = arguments(10, 1);
         let error = run(&args, folder.path()).unwrap_err();
         assert_eq!(error.to_string(), "1 kernel was not measured");
     }

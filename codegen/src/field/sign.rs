@@ -295,6 +295,12 @@ impl Facts {
         sign
     }
 
+    /// Whether every term has the same sign.
+    #[must_use]
+    pub fn terms_agree(&self, polynomial: &Polynomial) -> bool {
+        self.sign_by_terms(polynomial, Sign::ANY).is_definite()
+    }
+
     /// The sign if every term has the same one; `spare` is the sign of the spare variable.
     fn sign_by_terms(&self, polynomial: &Polynomial, spare: Sign) -> Sign {
         polynomial.terms().iter().fold(Sign::ZERO, |sum, term| {

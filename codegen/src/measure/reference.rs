@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use closedform_maxima::{Definition, EvalError, definitions, evaluate_stable};
+use closedform_maxima::{Definition, EvalError, Expr, definitions, evaluate_stable};
 use closedform_syntax::Kernel;
 use miette::{Diagnostic, NamedSource};
 use rug::Float;
@@ -97,6 +97,11 @@ impl Reference {
     /// When one of them has no value there.
     pub fn values(&self, point: &[f64], bits: u32) -> Result<Vec<Float>, ValueError> {
         self.definitions.iter().map(|definition| self.value(definition, point, bits)).collect()
+    }
+
+    /// The formulas of all results, in order.
+    pub fn bodies(&self) -> impl Iterator<Item = &Expr> {
+        self.definitions.iter().map(|definition| &definition.body)
     }
 
     fn value(&self, definition: &Definition, point: &[f64], bits: u32) -> Result<Float, ValueError> {

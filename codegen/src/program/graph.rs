@@ -1,6 +1,5 @@
 //! The graph of steps: equal steps are one node, and each knows its sign and a bound of its relative error.
 
-use super::sensitivity::{Roundings, Sensitivity};
 use crate::field::Sign;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -108,7 +107,7 @@ pub enum Op {
 struct Step {
     op: Op,
     sign: Sign,
-    error: Sensitivity,
+    error: f64,
     rules: Vec<&'static str>,
 }
 
@@ -116,7 +115,6 @@ struct Step {
 #[derive(Default)]
 pub struct Graph {
     steps: Vec<Step>,
-    roundings: Roundings,
     index: HashMap<Op, Node>,
 }
 
@@ -143,17 +141,7 @@ impl Graph {
     /// A bound of the relative error of a node, in units of 2^-53, barring overflow and underflow.
     #[must_use]
     pub fn error(&self, node: Node) -> f64 {
-        self.roundings.bound(&self.steps[node.0].error)
-    }
-
-    fn sensitivity(&self, node: Node) -> &Sensitivity {
-        &self.steps[node.0].error
-    }
-
-    /// The error of a step with one more rounding.
-    fn rounded(&mut self, error: &Sensitivity) -> Sensitivity {
-        let rounding = self.roundings.of(ROUNDING);
-        self.roundings.product(error, &rounding)
+        self.steps[node.0].error
     }
 
     /// The rules that made a node, in the order of their use.
@@ -170,14 +158,11 @@ impl Graph {
         }
     }
 
-    fn push(&mut self, op: Op, sign: Sign, error: Sensitivity) -> Node {
+    fn push(&mut self, op: Op, sign: Sign, error: f64) -> Node {
         if let Some(&node) = self.index.get(&op) {
-            let smaller = self.roundings.bound(&error) < self.error(node);
             let step = &mut self.steps[node.0];
             step.sign = step.sign & sign;
-            if smaller {
-                step.error = error;
-            }
+            step.error = step.error.min(error);
             return node;
         }
         let node = Node(self.steps.len());
@@ -193,19 +178,18 @@ impl Graph {
 
     /// An input.
     pub fn input(&mut self, index: usize, sign: Sign) -> Node {
-        self.push(Op::Input(index), sign, Sensitivity::exact())
+        self.push(Op::Input(index), sign, 0.0)
     }
 
     /// The circle constant, rounded.
     pub fn pi(&mut self) -> Node {
-        let error = self.roundings.of(ROUNDING);
-        self.push(Op::Pi, Sign::POSITIVE, error)
+        self.push(Op::Pi, Sign::POSITIVE, ROUNDING)
     }
 
     /// A constant, as a literal where `f64` holds it exactly and as a quotient of literals otherwise.
     pub fn constant(&mut self, value: &BigRational) -> Node {
         if is_exact(value) {
-            return self.push(Op::Literal(value.clone()), Sign::of(value), Sensitivity::exact());
+            return self.push(Op::Literal(value.clone()), Sign::of(value), 0.0);
         }
         let numerator = self.integer_constant(&BigRational::from_integer(value.numer().clone()));
         let denominator = self.integer_constant(&BigRational::from_integer(value.denom().clone()));
@@ -215,11 +199,10 @@ impl Graph {
     /// An integer of any size: those beyond 53 bits are rounded once.
     fn integer_constant(&mut self, value: &BigRational) -> Node {
         if is_exact(value) {
-            return self.push(Op::Literal(value.clone()), Sign::of(value), Sensitivity::exact());
+            return self.push(Op::Literal(value.clone()), Sign::of(value), 0.0);
         }
         let rounded = value.to_f64().and_then(BigRational::from_float).unwrap_or_else(BigRational::zero);
-        let error = self.roundings.of(ROUNDING);
-        self.push(Op::Literal(rounded), Sign::of(value), error)
+        self.push(Op::Literal(rounded), Sign::of(value), ROUNDING)
     }
 
     /// The value of a literal.
@@ -242,11 +225,9 @@ impl Graph {
             }
             Op::Sub(x, y) => {
                 let turned = self.sub(y, x);
-                self.steps[turned.0].sign = -self.sign(a);
-                self.steps[turned.0].error = self.sensitivity(a).clone();
-                turned
+                self.with_error(turned, -self.sign(a), self.error(a))
             }
-            _ => self.push(Op::Neg(a), -self.sign(a), self.sensitivity(a).clone()),
+            _ => self.push(Op::Neg(a), -self.sign(a), self.error(a)),
         }
     }
 
@@ -280,10 +261,9 @@ impl Graph {
         self.push(Op::Sub(a, b), sign, error)
     }
 
-    fn error_of_sum(&mut self, a: Node, b: Node, same_sign: bool) -> Sensitivity {
-        let (a, b) = (self.sensitivity(a), self.sensitivity(b));
-        let both = a.between(b);
-        if both.is_exact() || same_sign { self.rounded(&both) } else { self.roundings.of(f64::INFINITY) }
+    fn error_of_sum(&self, a: Node, b: Node, same_sign: bool) -> f64 {
+        let worst = self.error(a).max(self.error(b));
+        if worst == 0.0 || same_sign { worst + ROUNDING } else { f64::INFINITY }
     }
 
     /// The product.
@@ -309,8 +289,7 @@ impl Graph {
             }
         }
         let exact = self.is_power_of_two(a) || self.is_power_of_two(b);
-        let error = self.roundings.product(&self.steps[a.0].error, &self.steps[b.0].error);
-        let error = if exact { error } else { self.rounded(&error) };
+        let error = self.error(a) + self.error(b) + if exact { 0.0 } else { ROUNDING };
         self.push(Op::Mul(a, b), self.sign(a) * self.sign(b), error)
     }
 
@@ -330,8 +309,7 @@ impl Graph {
             let (a, b) = (self.neg(a), self.neg(b));
             return self.div(a, b);
         }
-        let error = self.roundings.quotient(&self.steps[a.0].error, &self.steps[b.0].error);
-        let error = self.rounded(&error);
+        let error = self.error(a) + self.error(b) + ROUNDING;
         self.push(Op::Div(a, b), self.sign(a) * self.sign(b), error)
     }
 
@@ -347,8 +325,7 @@ impl Graph {
     /// The square root.
     pub fn sqrt(&mut self, a: Node) -> Node {
         let sign = self.sign(a) & Sign::NONNEGATIVE;
-        let error = self.sensitivity(a).halved();
-        let error = self.rounded(&error);
+        let error = 0.5 * self.error(a) + ROUNDING;
         self.push(Op::Sqrt(a), sign, error)
     }
 
@@ -358,7 +335,7 @@ impl Graph {
             return then;
         }
         let sign = self.sign(then).or(self.sign(otherwise));
-        let error = self.roundings.of(self.error(then).max(self.error(otherwise)));
+        let error = self.error(then).max(self.error(otherwise));
         self.push(Op::If(condition, then, otherwise), sign, error)
     }
 
@@ -367,32 +344,28 @@ impl Graph {
     pub fn extreme(&mut self, largest: bool, items: Vec<Node>) -> Node {
         let worst = items.iter().map(|&item| self.error(item)).fold(0.0, f64::max);
         let sign = items.iter().map(|&item| self.sign(item)).reduce(Sign::or).unwrap_or(Sign::ANY);
-        let error = self.roundings.of(worst);
-        self.push(if largest { Op::Max(items) } else { Op::Min(items) }, sign, error)
+        self.push(if largest { Op::Max(items) } else { Op::Min(items) }, sign, worst)
     }
 
     /// A polynomial to all digits; its leaves count as exact.
     pub fn compensated(&mut self, wide: Wide, sign: Sign) -> Node {
-        let error = self.roundings.of(COMPENSATED);
-        self.push(Op::Compensated(wide), sign, error)
+        self.push(Op::Compensated(wide), sign, COMPENSATED)
     }
 
     /// A polynomial in double-double, rounded once; its error has no bound of its own.
     pub fn residual(&mut self, wide: Wide) -> Node {
-        let error = self.roundings.of(f64::INFINITY);
-        self.push(Op::Residual(wide), Sign::ANY, error)
+        self.push(Op::Residual(wide), Sign::ANY, f64::INFINITY)
     }
 
     /// The one positive root of a polynomial; `error` bounds its relative error.
     pub fn positive_root(&mut self, coefficients: Vec<Node>, error: f64) -> Node {
-        let error = self.roundings.of(error);
         self.push(Op::PositiveRoot(coefficients), Sign::POSITIVE, error)
     }
 
     /// A step whose error bound has another proof than its operands' bounds.
     pub fn with_error(&mut self, node: Node, sign: Sign, error: f64) -> Node {
         self.steps[node.0].sign = sign;
-        self.steps[node.0].error = self.roundings.of(error);
+        self.steps[node.0].error = error;
         node
     }
 

@@ -3,7 +3,6 @@
 mod cost;
 mod graph;
 mod naming;
-mod sensitivity;
 
 pub use cost::{Cost, cost};
 pub use graph::{Condition, Graph, Node, Op, Order, Wide, is_exact, is_power_of_two};

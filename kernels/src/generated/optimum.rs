@@ -62,13 +62,13 @@ pub fn t_i(
     let product2 = product * (3.0 * (v + delta_v) + delta_v);
     // falling-newton
     let start = positive_root([-3.0 * delta_v * delta_v * delta, -6.0 * a * delta_v * delta, cancelling, product2, a * a]);
-    let remainder = residual!(
+    let cancelling2 = compensated!(
         start * (start * (a * (start * (6.0 * v + (a * start + 8.0 * delta_v)) - 3.0 * a * delta) + (2.0 * v + 3.0 * delta_v) * (4.0 * v + 5.0 * delta_v)) - 6.0 * a * delta_v * delta)
         - 3.0 * delta_v * delta_v * delta
     );
     // falling-newton
     start
-        - start * (remainder / (((product * a * start + product2) * start * start + 6.0 * a * delta_v * delta) * start + 6.0 * delta_v * delta_v * delta))
+        - start * (cancelling2 / (((product * a * start + product2) * start * start + 6.0 * a * delta_v * delta) * start + 6.0 * delta_v * delta_v * delta))
 }
 
 /// Half the time of the ramp out with which the scan axis comes to rest after a ramp in of the time t_i.
@@ -183,13 +183,13 @@ pub fn t_in(
     let product3 = product2 * (2.0 * v1_diff + 3.0 * (v1_scan - v1_diff));
     // falling-newton
     let start = positive_root([product * v1_diff * delta, product * a1_max * delta, -cancelling, product3, a1_max * a1_max]);
-    let remainder = residual!(
+    let cancelling2 = compensated!(
         start * (start * (a1_max * (start * (6.0 * v1_scan + (a1_max * start - 2.0 * v1_diff)) - 3.0 * a1_max * delta) + 4.0 * v1_scan * (2.0 * v1_scan - v1_diff)) - 12.0 * v1_diff * a1_max * delta)
         - 12.0 * v1_diff * v1_diff * delta
     );
     // falling-newton
     start
-        - start * (remainder / (((product2 * a1_max * start + product3) * start * start + 12.0 * v1_diff * a1_max * delta) * start + 24.0 * v1_diff * v1_diff * delta))
+        - start * (cancelling2 / (((product2 * a1_max * start + product3) * start * start + 12.0 * v1_diff * a1_max * delta) * start + 24.0 * v1_diff * v1_diff * delta))
 }
 
 /// The positive x of qa*x^4+qb*x^3+qc*x^2 = qd.

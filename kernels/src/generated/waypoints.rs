@@ -903,15 +903,15 @@ pub struct QuarticCubicQuarticAtRest {
 /// - `c20`: at most 0 ulp, barring overflow and underflow
 /// - `c01`: at most 0 ulp, barring overflow and underflow
 /// - `c02`: at most 0 ulp, barring overflow and underflow
-/// - `c11`: at most 21.01 ulp, barring overflow and underflow
-/// - `c21`: at most 21.01 ulp, barring overflow and underflow
-/// - `c12`: at most 22.01 ulp, barring overflow and underflow
-/// - `c22`: at most 22.01 ulp, barring overflow and underflow
+/// - `c11`: at most 25.01 ulp, barring overflow and underflow
+/// - `c21`: at most 25.01 ulp, barring overflow and underflow
+/// - `c12`: at most 26.01 ulp, barring overflow and underflow
+/// - `c22`: at most 26.01 ulp, barring overflow and underflow
 /// - `c03`: at most 23.01 ulp, barring overflow and underflow
-/// - `c13`: at most 20.01 ulp, barring overflow and underflow
-/// - `c23`: at most 19.01 ulp, barring overflow and underflow
+/// - `c13`: at most 24.01 ulp, barring overflow and underflow
+/// - `c23`: at most 23.01 ulp, barring overflow and underflow
 /// - `c04`: at most 22.01 ulp, barring overflow and underflow
-/// - `c24`: at most 18.01 ulp, barring overflow and underflow
+/// - `c24`: at most 22.01 ulp, barring overflow and underflow
 ///
 /// From: problem (f), stated there.
 #[kernel(
@@ -920,7 +920,7 @@ pub struct QuarticCubicQuarticAtRest {
     latex = "\\mathrm{wp}_{f,c,00} = P_{0} \\\\ \\mathrm{wp}_{f,c,10} = P_{1} \\\\ \\mathrm{wp}_{f,c,20} = P_{2} \\\\ \\mathrm{wp}_{f,c,01} = 0 \\\\ \\mathrm{wp}_{f,c,02} = 0 \\\\ \\mathrm{wp}_{f,c,11} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}\\,\\left(2\\,t_{2}+3\\,t_{1}\\right)+\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,21} = \\frac{\\left(-2\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}+\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}\\,\\left(3\\,t_{1}+2\\,t_{0}\\right)}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,12} = \\frac{3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-6\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(t_{2}+2\\,t_{1}\\right)-6\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,22} = \\frac{6\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}-3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}+6\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(2\\,t_{1}+t_{0}\\right)}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,03} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+2\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)-\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}^{3}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,13} = \\frac{\\left(-\\left(P_{2}-P_{1}\\right)\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+6\\,t_{1}+t_{0}\\right)+2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(3\\,t_{1}+t_{0}\\right)}{t_{0}\\,t_{1}^{2}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,23} = \\frac{\\left(-6\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}+3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(8\\,t_{1}\\,t_{2}+4\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}{t_{0}\\,t_{1}\\,t_{2}^{3}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,04} = \\frac{\\left(-\\left(P_{1}-P_{0}\\right)\\right)\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+6\\,t_{0}\\,t_{1}\\right)+\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}^{4}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,24} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}-\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}+\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(6\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}{t_{0}\\,t_{1}\\,t_{2}^{4}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}",
     source = "problem (f), stated there",
     rules("compensated", "factored", "one-reciprocal"),
-    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c02 = 0.0, c11 = 21.01, c21 = 21.01, c12 = 22.01, c22 = 22.01, c03 = 23.01, c13 = 20.01, c23 = 19.01, c04 = 22.01, c24 = 18.01),
+    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c02 = 0.0, c11 = 25.01, c21 = 25.01, c12 = 26.01, c22 = 26.01, c03 = 23.01, c13 = 24.01, c23 = 23.01, c04 = 22.01, c24 = 22.01),
     results(
         c00(worksheet = "wp_f_c00", unit = "m"),
         c10(worksheet = "wp_f_c10", unit = "m"),

@@ -2,14 +2,18 @@
 
 use std::path::Path;
 
-use super::drawing::{Drawing, Stroke, coordinate};
+use super::drawing::Drawing;
 use super::error::PlotError;
-use super::frame::{FOOT, Frame, HEAD, LEFT, RIGHT, WIDTH, head};
+use super::frame::{Frame, Line};
 use super::scale::{Scale, widened};
+use super::sheet::Sheet;
 use super::theme::Theme;
 
 /// How high the panel is, in pixels.
 const HEIGHT: f64 = 300.0;
+
+/// At most.
+const TICKS: usize = 8;
 
 /// The least and the largest value.
 type Range = (f64, f64);
@@ -50,22 +54,27 @@ impl Chart {
     /// There are no points, or one that has no place on its scale.
     pub fn draw(&self) -> Result<Drawing, PlotError> {
         let (across, up) = self.ranges()?;
-        let mut drawing = Drawing::new(self.theme.background, &self.title);
         let names: Vec<String> = self.series.iter().map(|series| series.name.clone()).collect();
-        let top = head(&mut drawing, &self.theme, &self.title, &self.note, &names) + HEAD;
-        let bottom = top + HEIGHT;
-        let x = scale(across, self.logarithmic.0, (LEFT, RIGHT));
-        let y = scale(up, self.logarithmic.1, (bottom, top));
-        let frame = Frame { x: &x, y: &y, top, bottom, theme: &self.theme };
-        frame.grid(&mut drawing, (8, 8), true);
-        frame.border(&mut drawing);
-        for (index, series) in self.series.iter().enumerate() {
-            drawing.path(polyline(series, &x, &y), Stroke::solid(self.theme.curve(index), 2.0));
-        }
-        frame.title(&mut drawing, &self.y_title, "");
-        frame.below(&mut drawing, &self.x_title);
-        drawing.size = (WIDTH, bottom + FOOT + 4.0);
-        Ok(drawing)
+        let mut sheet = Sheet::new(&self.title, &self.note, self.theme, &names)?;
+        let line = |(index, series): (usize, &Series)| Line {
+            points: series.points.clone(),
+            colour: self.theme.curve(index),
+            width: 2.0,
+            is_dashed: false,
+        };
+        sheet.frames.push(Frame {
+            title: self.y_title.clone(),
+            note: String::new(),
+            height: HEIGHT,
+            x: scale(across, self.logarithmic.0),
+            y: scale(up, self.logarithmic.1),
+            below: Some(self.x_title.clone()),
+            meetings: Vec::new(),
+            lines: self.series.iter().enumerate().map(line).collect(),
+            dots: Vec::new(),
+            labels: Vec::new(),
+        });
+        Drawing::new(sheet, &self.title)
     }
 
     /// Draws it into a file that ends in `.svg` or `.png`, whole or not at all.
@@ -92,18 +101,10 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
 }
 
-fn scale((low, high): (f64, f64), logarithmic: bool, pixels: (f64, f64)) -> Scale {
+fn scale((low, high): Range, logarithmic: bool) -> Scale {
     match logarithmic {
-        true if low < high => Scale::logarithmic((low / 1.6, high * 1.6), pixels),
-        true => Scale::logarithmic((low / 10.0, high * 10.0), pixels),
-        false => Scale::linear(widened((low, high), 0.05, 0.05), pixels),
+        true if low < high => Scale::logarithmic((low / 1.6, high * 1.6), TICKS),
+        true => Scale::logarithmic((low / 10.0, high * 10.0), TICKS),
+        false => Scale::linear(widened((low, high), 0.05, 0.05), TICKS),
     }
-}
-
-fn polyline(series: &Series, x: &Scale, y: &Scale) -> String {
-    let mut commands = std::iter::once('M').chain(std::iter::repeat('L'));
-    let point = |(a, b): &(f64, f64)| {
-        format!("{}{} {}", commands.next().unwrap_or('L'), coordinate(x.at(*a)), coordinate(y.at(*b)))
-    };
-    series.points.iter().map(point).collect()
 }

@@ -15,6 +15,12 @@ pub enum PlotError {
         /// As given.
         path: String,
     },
+    /// The plotting library fails.
+    #[error("the picture cannot be drawn: {why}")]
+    Draw {
+        /// What is the matter with it.
+        why: String,
+    },
     /// It is too large for a PNG.
     #[error("the picture cannot become a PNG: {why}: write .svg")]
     Png {
@@ -24,4 +30,11 @@ pub enum PlotError {
     /// The file system.
     #[error("{0}")]
     Io(#[from] std::io::Error),
+}
+
+impl PlotError {
+    /// Of the plotting library.
+    pub(super) fn draw(error: impl std::fmt::Display) -> Self {
+        Self::Draw { why: error.to_string() }
+    }
 }

@@ -1,102 +1,177 @@
-//! The frame of a panel: title, grid, numbers at the ticks.
+//! A panel: its frame with grid, ticks and numbers, and what is drawn in it.
 
-use super::drawing::{Anchor, Drawing, Font, Stroke};
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use plotters::style::text_anchor::HPos;
+
+use super::canvas::{Canvas, Font, clean, rgb};
 use super::scale::Scale;
 use super::theme::Theme;
+use plotters::prelude::DrawingAreaErrorKind as AreaError;
 
 /// Of all pictures, in pixels of the SVG: as wide as a phone is, its text still readable there.
 pub(super) const WIDTH: f64 = 600.0;
+/// Left of a frame, for its numbers.
 pub(super) const LEFT: f64 = 66.0;
-pub(super) const RIGHT: f64 = WIDTH - 18.0;
-pub(super) const TITLE: f64 = 19.0;
+/// Right of a frame.
+pub(super) const RIGHT: f64 = 20.0;
+/// How wide a frame is.
+pub(super) const INSIDE: f64 = WIDTH - LEFT - RIGHT;
+/// Above a frame, for its title.
+pub(super) const HEAD: f64 = 32.0;
+/// Below a frame that has numbers and their title there.
+pub(super) const FOOT: f64 = 44.0;
+
+/// Sizes of fonts.
 pub(super) const LABEL: f64 = 15.0;
 pub(super) const NUMBER: f64 = 13.5;
 pub(super) const NOTE: f64 = 12.5;
-/// Above a frame, for its title.
-pub(super) const HEAD: f64 = 32.0;
 
-/// A panel to draw into.
-pub(super) struct Frame<'a> {
-    pub x: &'a Scale,
-    pub y: &'a Scale,
-    pub top: f64,
-    pub bottom: f64,
-    pub theme: &'a Theme,
+/// Length of a dash and of the gap behind it.
+const DASHES: (f64, f64) = (10.0, 7.0);
+
+/// Length of the ticks in a frame where segments meet.
+const MEETING: f64 = 4.0;
+
+/// A panel and what is in it, in the units of its scales.
+#[derive(Clone)]
+pub(super) struct Frame {
+    pub title: String,
+    /// On the right above it.
+    pub note: String,
+    pub height: f64,
+    pub x: Scale,
+    pub y: Scale,
+    /// What the numbers below it say, which are there if this is.
+    pub below: Option<String>,
+    /// Where segments meet.
+    pub meetings: Vec<f64>,
+    pub lines: Vec<Line>,
+    pub dots: Vec<Dot>,
+    pub labels: Vec<Label>,
 }
 
-impl Frame<'_> {
-    /// Its title on the left and a note on the right.
-    pub(super) fn title(&self, drawing: &mut Drawing, title: &str, note: &str) {
-        let font = Font { size: LABEL, bold: true, colour: self.theme.text };
-        drawing.text((LEFT, self.top - 9.0), Anchor::Start, font, title);
-        if !note.is_empty() {
-            let font = Font { size: NOTE, bold: false, colour: self.theme.muted };
-            drawing.text((RIGHT, self.top - 9.0), Anchor::End, font, note);
-        }
+/// A curve, or a limit.
+#[derive(Debug, Clone)]
+pub(super) struct Line {
+    pub points: Vec<(f64, f64)>,
+    pub colour: &'static str,
+    pub width: f64,
+    pub is_dashed: bool,
+}
+
+/// A ring, filled.
+#[derive(Debug, Clone)]
+pub(super) struct Dot {
+    pub at: (f64, f64),
+    pub radius: f64,
+    pub ring: (&'static str, f64),
+    pub fill: &'static str,
+}
+
+/// A text beside a point.
+#[derive(Clone)]
+pub(super) struct Label {
+    pub at: (f64, f64),
+    /// From the point to the base line, in pixels of the SVG.
+    pub offset: (f64, f64),
+    pub side: HPos,
+    pub font: Font,
+    pub text: String,
+}
+
+type Area<DB> = DrawingArea<DB, Shift>;
+type Chart<'a, DB> = ChartContext<'a, DB, Cartesian2d<Scale, Scale>>;
+type Outcome<DB> = Result<(), AreaError<<DB as DrawingBackend>::ErrorType>>;
+
+impl Frame {
+    /// How high it is with its title and what is below it.
+    pub(super) fn room(&self) -> f64 {
+        HEAD + self.height + if self.below.is_some() { FOOT } else { 0.0 }
     }
 
-    /// Lines at the ticks and the numbers on the left; those below only where asked.
-    pub(super) fn grid(&self, drawing: &mut Drawing, ticks: (usize, usize), numbers_below: bool) {
-        let thin = Stroke::solid(self.theme.grid, 1.0);
-        let zero = Stroke::solid(self.theme.frame, 1.0);
-        let font = Font { size: NUMBER, bold: false, colour: self.theme.muted };
-        for tick in self.x.ticks(ticks.0) {
-            drawing.line((tick.at, self.top), (tick.at, self.bottom), thin);
-            if numbers_below {
-                drawing.text((tick.at, self.bottom + 18.0), Anchor::Middle, font, &tick.label);
+    /// Draws it into its part of the picture.
+    pub(super) fn draw<DB: DrawingBackend>(&self, area: &Area<DB>, canvas: &Canvas, theme: &Theme) -> Outcome<DB> {
+        let mut builder = ChartBuilder::on(area);
+        builder.margin_top(canvas.length(HEAD)).margin_right(canvas.length(RIGHT));
+        builder.y_label_area_size(canvas.length(LEFT));
+        if self.below.is_some() {
+            builder.x_label_area_size(canvas.length(FOOT));
+        }
+        let mut chart = builder.build_cartesian_2d(self.x.clone(), self.y.clone())?;
+        self.grid(&mut chart, canvas, theme)?;
+        self.lines(&mut chart, canvas)?;
+        self.points(&mut chart, canvas)?;
+        self.titles(area, canvas, theme)
+    }
+
+    /// Grid, numbers and the frame itself.
+    fn grid<DB: DrawingBackend>(&self, chart: &mut Chart<DB>, canvas: &Canvas, theme: &Theme) -> Outcome<DB> {
+        let numbers = Font { size: NUMBER, bold: false, colour: theme.muted };
+        let title = Font { size: LABEL, bold: true, colour: theme.text };
+        let (thin, thick) = (canvas.line(theme.grid, 1.0), canvas.line(theme.frame, 1.0));
+        let mut mesh = chart.configure_mesh();
+        mesh.bold_line_style(thin).max_light_lines(0).axis_style(TRANSPARENT);
+        mesh.x_labels(self.x.ticks().max(1)).y_labels(self.y.ticks().max(1));
+        mesh.label_style(canvas.text(numbers, HPos::Center)).axis_desc_style(canvas.text(title, HPos::Center));
+        mesh.y_label_offset(canvas.sunk(numbers));
+        mesh.set_tick_mark_size(LabelAreaPosition::Left, canvas.length(4.0));
+        mesh.set_tick_mark_size(LabelAreaPosition::Bottom, (canvas.length(18.0) - canvas.top(numbers)) / 2);
+        if let Some(below) = &self.below {
+            mesh.x_desc(clean(below));
+        }
+        mesh.draw()?;
+        let (x, y) = (self.x.range(), self.y.range());
+        let ends = |at: &f64| [(*at, y.start, -1.0), (*at, y.end, 1.0)];
+        let tick = |(at, edge, down): (f64, f64, f64)| {
+            EmptyElement::at((at, edge)) + PathElement::new([(0, 0), (0, canvas.length(down * MEETING))], thick)
+        };
+        chart.draw_series(self.meetings.iter().flat_map(ends).map(tick))?;
+        let zero = self.y.has_zero().then(|| PathElement::new([(x.start, 0.0), (x.end, 0.0)], thick));
+        chart.draw_series(zero)?;
+        let corners = [(x.start, y.start), (x.start, y.end), (x.end, y.end), (x.end, y.start), (x.start, y.start)];
+        chart.draw_series([PathElement::new(corners, thick)])?;
+        Ok(())
+    }
+
+    fn lines<DB: DrawingBackend>(&self, chart: &mut Chart<DB>, canvas: &Canvas) -> Outcome<DB> {
+        for line in &self.lines {
+            let (points, style) = (line.points.iter().copied(), canvas.line(line.colour, line.width));
+            if line.is_dashed {
+                let (dash, gap) = (canvas.length(DASHES.0), canvas.length(DASHES.1));
+                chart.draw_series(DashedLineSeries::new(points, dash, gap, style))?;
+            } else {
+                chart.draw_series(LineSeries::new(points, style))?;
             }
         }
-        for tick in self.y.ticks(ticks.1) {
-            drawing.line((LEFT, tick.at), (RIGHT, tick.at), if tick.value == 0.0 { zero } else { thin });
-            drawing.text((LEFT - 8.0, tick.at + 0.36 * NUMBER), Anchor::End, font, &tick.label);
+        Ok(())
+    }
+
+    fn points<DB: DrawingBackend>(&self, chart: &mut Chart<DB>, canvas: &Canvas) -> Outcome<DB> {
+        for Dot { at, radius, ring: (colour, width), fill } in &self.dots {
+            let disc = |radius: f64, colour| Circle::new(*at, canvas.length(radius), rgb(colour).filled());
+            chart.draw_series([disc(radius + width / 2.0, colour), disc(radius - width / 2.0, fill)])?;
         }
-    }
-
-    /// The frame itself, over the grid and under the curves.
-    pub(super) fn border(&self, drawing: &mut Drawing) {
-        let size = (RIGHT - LEFT, self.bottom - self.top);
-        drawing.frame((LEFT, self.top), size, Stroke::solid(self.theme.frame, 1.0));
-    }
-
-    /// What the numbers below say.
-    pub(super) fn below(&self, drawing: &mut Drawing, title: &str) {
-        let font = Font { size: LABEL, bold: true, colour: self.theme.text };
-        drawing.text(((LEFT + RIGHT) / 2.0, self.bottom + 39.0), Anchor::Middle, font, title);
-    }
-}
-
-/// Below a frame that has numbers and their title there.
-pub(super) const FOOT: f64 = 50.0;
-
-/// The head of a picture: title, a line below it, and names beside their colours; how high it is.
-pub(super) fn head(drawing: &mut Drawing, theme: &Theme, title: &str, note: &str, names: &[String]) -> f64 {
-    let mut y = 10.0;
-    if !title.is_empty() {
-        y += TITLE;
-        drawing.text((LEFT, y), Anchor::Start, Font { size: TITLE, bold: true, colour: theme.text }, title);
-        y += 4.0;
-    }
-    if !note.is_empty() {
-        y += NOTE + 4.0;
-        drawing.text((LEFT, y), Anchor::Start, Font { size: NOTE, bold: false, colour: theme.muted }, note);
-    }
-    if names.len() > 1 {
-        y = legend(drawing, theme, y + 20.0, names);
-    }
-    y
-}
-
-/// Names beside their colours, in as many lines as it takes.
-fn legend(drawing: &mut Drawing, theme: &Theme, mut y: f64, names: &[String]) -> f64 {
-    let mut x = LEFT;
-    for (index, name) in names.iter().enumerate() {
-        let room = 34.0 + super::drawing::width(name, LABEL);
-        if x > LEFT && x + room > RIGHT {
-            (x, y) = (LEFT, y + 22.0);
+        for label in &self.labels {
+            let place = (canvas.length(label.offset.0), canvas.length(label.offset.1) - canvas.top(label.font));
+            let text = Text::new(clean(&label.text), place, canvas.text(label.font, label.side));
+            chart.draw_series([EmptyElement::at(label.at) + text])?;
         }
-        drawing.line((x, y - 5.0), (x + 26.0, y - 5.0), Stroke::solid(theme.curve(index), 3.5));
-        drawing.text((x + 33.0, y), Anchor::Start, Font { size: LABEL, bold: false, colour: theme.text }, name);
-        x += room + 18.0;
+        Ok(())
     }
-    y
+
+    /// Its title on the left and its note on the right.
+    fn titles<DB: DrawingBackend>(&self, area: &Area<DB>, canvas: &Canvas, theme: &Theme) -> Outcome<DB> {
+        let title = Font { size: LABEL, bold: true, colour: theme.text };
+        let note = Font { size: NOTE, bold: false, colour: theme.muted };
+        for (text, font, side, x) in
+            [(&self.title, title, HPos::Left, LEFT), (&self.note, note, HPos::Right, LEFT + INSIDE)]
+        {
+            if !text.is_empty() {
+                let place = (canvas.length(x), canvas.length(HEAD - 9.0) - canvas.top(font));
+                area.draw_text(&clean(text), &canvas.text(font, side), place)?;
+            }
+        }
+        Ok(())
+    }
 }

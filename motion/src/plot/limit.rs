@@ -1,8 +1,10 @@
 //! Limits: which of them a panel shows as dashed lines, and what it says of the others.
 
-use super::drawing::{Anchor, Drawing, Font, Stroke, width};
-use super::frame::{LEFT, NOTE, RIGHT};
-use super::scale::Scale;
+use plotters::style::text_anchor::HPos;
+
+use super::canvas::Font;
+use super::error::PlotError;
+use super::frame::{Frame, INSIDE, Label, Line, NOTE};
 use super::theme::Theme;
 use super::unit::Unit;
 use crate::extremes::Quantity;
@@ -57,46 +59,70 @@ impl Limit {
         format!("{name} {}", unit.say(self.value))
     }
 
-    /// The dashed lines, and above the upper one, or below the lower one where it is alone, the text, in so many pixels
-    /// that end at `right`.
-    fn draw(&self, drawing: &mut Drawing, view: (&Scale, &Unit), range: (f64, f64), (room, right): (f64, f64)) {
-        let (y, unit) = view;
-        let [below, above] = self.sides(range);
-        let height = y.at(self.value / unit.size);
-        let depth = y.at(-self.value / unit.size);
-        let stroke = Stroke { colour: self.colour, width: 1.6, dashes: "7 5" };
-        for at in [below.then_some(depth), above.then_some(height)].into_iter().flatten() {
-            drawing.line((LEFT, at), (RIGHT, at), stroke);
-        }
-        let at = match (below, above) {
-            (_, true) => height - 5.0,
-            (true, false) => depth + NOTE + 2.0,
-            (false, false) => return,
+    fn font(&self) -> Font {
+        Font { size: NOTE, bold: false, colour: self.colour }
+    }
+
+    /// The dashed lines, over times from 0 to `end`, in the unit of the panel.
+    fn lines(&self, unit: &Unit, range: (f64, f64), end: f64) -> impl Iterator<Item = Line> {
+        let (value, [below, above]) = (self.value / unit.size, self.sides(range));
+        let shown = [below.then_some(-value), above.then_some(value)].into_iter().flatten();
+        let colour = self.colour;
+        shown.map(move |at| Line { points: vec![(0.0, at), (end, at)], colour, width: 1.6, is_dashed: true })
+    }
+
+    /// The text above the upper line, or below the lower one where that is alone, in so many pixels that end so many
+    /// before the end.
+    fn label(&self, unit: &Unit, range: (f64, f64), end: f64, room: (f64, f64)) -> Result<Option<Label>, PlotError> {
+        let value = self.value / unit.size;
+        let (at, down) = match self.sides(range) {
+            [_, true] => (value, -5.0),
+            [true, false] => (-value, NOTE + 2.0),
+            [false, false] => return Ok(None),
         };
         // The colour tells whose limit it is, where there is no room for the name.
-        let fits = |text: &String| width(text, NOTE) <= room;
-        let text = [self.text(unit), unit.say(self.value)].into_iter().find(fits).unwrap_or_default();
-        drawing.text((right, at), Anchor::End, Font { size: NOTE, bold: false, colour: self.colour }, &text);
+        let (long, short) = (self.text(unit), unit.say(self.value));
+        let fits = |text: &String| Ok::<bool, PlotError>(self.font().width(text)? <= room.0);
+        let text = match (fits(&long)?, fits(&short)?) {
+            (true, _) => long,
+            (_, true) => short,
+            _ => return Ok(None),
+        };
+        let label = Label { at: (end, at), offset: (-room.1, down), side: HPos::Right, font: self.font(), text };
+        Ok(Some(label))
     }
 }
 
-/// Draws the limits that a panel shows, their texts side by side.
-pub(super) fn draw(drawing: &mut Drawing, limits: &[Limit], view: (&Scale, &Unit), range: (f64, f64)) {
-    let column = (RIGHT - LEFT) / limits.len().max(1) as f64;
+/// Draws the limits that a panel shows, under its curves, their texts side by side.
+pub(super) fn draw(
+    frame: &mut Frame,
+    limits: &[Limit],
+    unit: &Unit,
+    range: (f64, f64),
+    end: f64,
+) -> Result<(), PlotError> {
+    let column = INSIDE / limits.len().max(1) as f64;
     for (index, limit) in limits.iter().enumerate() {
-        limit.draw(drawing, view, range, (column - 14.0, RIGHT - 6.0 - index as f64 * column));
+        frame.lines.extend(limit.lines(unit, range, end));
+        frame.labels.extend(limit.label(unit, range, end, (column - 14.0, 6.0 + index as f64 * column))?);
     }
+    Ok(())
 }
 
 /// What a panel says of the limits it does not show, in so many pixels.
-pub(super) fn note(limits: &[Limit], range: (f64, f64), unit: &Unit, room: f64) -> String {
+pub(super) fn note(
+    limits: &[Limit],
+    range: (f64, f64),
+    unit: &Unit,
+    (font, room): (Font, f64),
+) -> Result<String, PlotError> {
     let hidden = limits.iter().filter(|limit| limit.sides(range) == [false, false]);
     let texts: Vec<String> = hidden.map(|limit| limit.text(unit)).collect();
     let full = format!("{}, not shown", texts.join(", "));
-    match texts.len() {
+    Ok(match texts.len() {
         0 => String::new(),
-        _ if width(&full, NOTE) <= room => full,
+        _ if font.width(&full)? <= room => full,
         1 => "limit not shown".to_owned(),
         _ => "limits not shown".to_owned(),
-    }
+    })
 }

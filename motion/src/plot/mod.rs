@@ -1,7 +1,9 @@
 //! Pictures: position, velocity, acceleration and jerk over time with their limits, and the path in the plane.
 //!
-//! A [`Picture`] shows a motion, a [`Chart`] any curves; both make a [`Drawing`], which is SVG or PNG. Between two knots every curve is drawn as the polynomial it is, by one Bezier curve, and jumps are drawn as steps.
+//! A [`Picture`] shows a motion, a [`Chart`] any curves; both make a [`Drawing`], which is SVG or PNG. Frames, grids,
+//! ticks, lines and texts are drawn by plotters; here is what they show, and where. Jumps are drawn as steps.
 
+mod canvas;
 mod chart;
 mod curve;
 mod drawing;
@@ -12,10 +14,12 @@ mod limit;
 mod path;
 mod picture;
 #[cfg(feature = "png")]
+mod pixels;
+#[cfg(feature = "png")]
 mod png;
 mod quantity;
 mod scale;
-mod svg;
+mod sheet;
 mod theme;
 mod unit;
 

@@ -1,9 +1,11 @@
 //! The path: the second axis over the first.
 
-use super::drawing::{Anchor, BOLD, Drawing, Font, Stroke, point, width};
-use super::frame::{Frame, HEAD, LEFT, RIGHT};
-use super::picture::{Mark, Picture};
-use super::quantity::Piece;
+use plotters::style::text_anchor::HPos;
+
+use super::canvas::Font;
+use super::error::PlotError;
+use super::frame::{Dot, Frame, INSIDE, Label, Line};
+use super::picture::{Mark, OFF, Picture};
 use super::scale::{Scale, widened};
 use super::unit::{Unit, axis_unit};
 use crate::extremes::Quantity;
@@ -15,32 +17,45 @@ const HEIGHTS: (f64, f64) = (150.0, 420.0);
 /// A path less high than this share of its width is stretched.
 const FLAT: f64 = 0.2;
 
-/// A stretch of the path: both axes over the same time.
-type Stretch = (Piece, Piece);
+/// Pixels from one tick to the next.
+const TICKS: f64 = 38.0;
 
-/// Draws the panel from `top` on; where it ends.
-pub(super) fn draw(picture: &Picture, drawing: &mut Drawing, top: f64) -> f64 {
+/// Points closer than so many pixels are drawn as one.
+const NEAR: f64 = 0.3;
+
+/// Size of the names of marks.
+const NAME: f64 = 14.5;
+
+/// The panel.
+pub(super) fn frame(picture: &Picture) -> Result<Frame, PlotError> {
     let [first, second] = [0, 1].map(|index| &picture.motion.axes()[index]);
-    let path = stretches(first, second, picture.motion.duration());
+    let path = points(first, second, picture.motion.times());
     let (across, up) = ranges(&path, &picture.marks);
     let units = units(across, up);
     let (across, up) = (padded(across, &units[0]), padded(up, &units[1]));
     let layout = Layout::new(across, up, (units[0].size, units[1].size));
-    let bottom = top + layout.height;
-    let x = Scale::linear(layout.across, (LEFT, RIGHT));
-    let y = Scale::linear(layout.up, (bottom, top));
-    let frame = Frame { x: &x, y: &y, top, bottom, theme: &picture.theme };
-    frame.grid(drawing, (6, (layout.height / 38.0) as usize), true);
-    frame.border(drawing);
-    let place = |at: (f64, f64)| (x.at(at.0 / units[0].size), y.at(at.1 / units[1].size));
-    drawing.path(path_text(&path, &place), Stroke::solid(picture.theme.text, 2.2));
-    ends(picture, drawing, &path, &place);
-    marks(picture, drawing, &path, &place);
-    let note = if layout.is_stretched { "not to one scale" } else { "" };
+    let scaled = |(x, y): &(f64, f64)| (x / units[0].size, y / units[1].size);
+    let path = layout.visible(&path.iter().map(scaled).collect::<Vec<_>>());
     let up_unit = if layout.is_stretched { format!(" ({})", units[1].name) } else { String::new() };
-    frame.title(drawing, &format!("Path: {}{up_unit} over {}", second.name, first.name), note);
-    frame.below(drawing, &format!("{} ({})", first.name, units[0].name));
-    bottom
+    let mut frame = Frame {
+        title: format!("Path: {}{up_unit} over {}", second.name, first.name),
+        note: if layout.is_stretched { "not to one scale".to_owned() } else { String::new() },
+        height: layout.height,
+        x: Scale::linear(layout.across, 7),
+        y: Scale::linear(layout.up, (layout.height / TICKS) as usize),
+        below: Some(format!("{} ({})", first.name, units[0].name)),
+        meetings: Vec::new(),
+        lines: Vec::new(),
+        dots: if picture.marks.is_empty() { ends(picture, &path) } else { Vec::new() },
+        labels: Vec::new(),
+    };
+    for mark in &picture.marks {
+        let at = scaled(&(mark.x, mark.y));
+        frame.dots.push(Dot { at, radius: 4.5, ring: (picture.theme.curve(1), 2.4), fill: picture.theme.background });
+        frame.labels.push(layout.label(picture, at, &mark.name, &path)?);
+    }
+    frame.lines.push(Line { points: path, colour: picture.theme.text, width: 2.2, is_dashed: false });
+    Ok(frame)
 }
 
 /// Of both axes; the same where they are drawn to one scale.
@@ -53,45 +68,25 @@ fn units(across: (f64, f64), up: (f64, f64)) -> [Unit; 2] {
     }
 }
 
-/// Both axes, cut wherever a segment of one of them begins.
-fn stretches(first: &Axis, second: &Axis, duration: f64) -> Vec<Stretch> {
-    let mut times: Vec<f64> = [first, second].iter().flat_map(|axis| axis.profile.times()).copied().collect();
-    times.push(duration);
+/// Where both axes are, at all times that one of them needs to be seen as it is, and at those where segments meet.
+fn points(first: &Axis, second: &Axis, mut times: Vec<f64>) -> Vec<(f64, f64)> {
+    for axis in [first, second] {
+        times.extend(Quantity::Position.points(&axis.profile, fine(axis)).into_iter().map(|(time, _)| time));
+    }
     times.sort_by(f64::total_cmp);
     times.dedup();
-    let pieces = [first, second].map(|axis| Quantity::Position.pieces(&axis.profile, fine(axis)));
-    let mut cut = times;
-    cut.extend(pieces.iter().flatten().map(|piece| piece.from));
-    cut.sort_by(f64::total_cmp);
-    cut.dedup();
-    cut.windows(2).map(|pair| (stretch(first, pair[0], pair[1]), stretch(second, pair[0], pair[1]))).collect()
+    times.iter().map(|time| (first.profile.at(*time).position, second.profile.at(*time).position)).collect()
 }
 
-/// What no picture of the path can show, in m.
+/// By how much an axis may be off in a picture of the path, in m.
 fn fine(axis: &Axis) -> f64 {
-    let positions = axis.profile.segments().iter().flat_map(|segment| [segment.start.position, segment.end.position]);
-    let (low, high) = positions.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
-    if high > low { (high - low) * 2e-5 } else { f64::INFINITY }
+    let extremes = axis.profile.extremes(Quantity::Position);
+    let extent = extremes.largest.value - extremes.least.value;
+    if extent > 0.0 { extent * OFF / INSIDE } else { f64::INFINITY }
 }
 
-fn stretch(axis: &Axis, from: f64, to: f64) -> Piece {
-    let profile = &axis.profile;
-    if from >= profile.duration() {
-        let position = profile.end().position;
-        return Piece { from, to, values: (position, position), slopes: (0.0, 0.0) };
-    }
-    // Within one segment: the end as the segment has it that begins the stretch.
-    let index = profile.times().partition_point(|start| *start <= from) - 1;
-    let segment = &profile.segments()[index];
-    let at = |time: f64| segment.at((time - profile.times()[index]).clamp(0.0, segment.duration));
-    let (begin, end) = (at(from), at(to));
-    Piece { from, to, values: (begin.position, end.position), slopes: (begin.velocity, end.velocity) }
-}
-
-fn ranges(path: &[Stretch], marks: &[Mark]) -> ((f64, f64), (f64, f64)) {
-    let points =
-        path.iter().flat_map(|(x, y)| (0..=16).map(move |k| (x.at(f64::from(k) / 16.0), y.at(f64::from(k) / 16.0))));
-    let points = points.chain(marks.iter().map(|mark| (mark.x, mark.y)));
+fn ranges(path: &[(f64, f64)], marks: &[Mark]) -> ((f64, f64), (f64, f64)) {
+    let points = path.iter().copied().chain(marks.iter().map(|mark| (mark.x, mark.y)));
     let start = (f64::INFINITY, f64::NEG_INFINITY);
     let grow = |range: (f64, f64), value: f64| (range.0.min(value), range.1.max(value));
     points.fold((start, start), |(across, up), (x, y)| (grow(across, x), grow(up, y)))
@@ -117,84 +112,67 @@ impl Layout {
         if !(FLAT..=1.0 / FLAT).contains(&share) {
             return Self { across, up, height: 220.0, is_stretched: true };
         }
-        let height = ((RIGHT - LEFT) * share).clamp(HEIGHTS.0, HEIGHTS.1);
-        let room = high * (RIGHT - LEFT) / height / wide;
+        let height = (INSIDE * share).clamp(HEIGHTS.0, HEIGHTS.1);
+        let room = high * INSIDE / height / wide;
         let grown = |(low, high): (f64, f64), by: f64| {
             let more = (high - low) * (by - 1.0) / 2.0;
             (low - more, high + more)
         };
         Self { across: grown(across, room.max(1.0)), up: grown(up, (1.0 / room).max(1.0)), height, is_stretched: false }
     }
-}
 
-/// Cubics over the same time make a Bezier curve; steps too small to see are left out.
-fn path_text(path: &[Stretch], place: &impl Fn((f64, f64)) -> (f64, f64)) -> String {
-    let mut text = String::new();
-    let mut at: Option<(f64, f64)> = None;
-    for (x, y) in path {
-        let third = (x.to - x.from) / 3.0;
-        let controls = [
-            place((x.values.0 + third * x.slopes.0, y.values.0 + third * y.slopes.0)),
-            place((x.values.1 - third * x.slopes.1, y.values.1 - third * y.slopes.1)),
-        ];
-        let (start, end) = (place((x.values.0, y.values.0)), place((x.values.1, y.values.1)));
-        if at.is_none() {
-            text.push_str(&format!("M{}", point(start)));
-        }
-        let from = at.unwrap_or(start);
-        let near = |other: (f64, f64)| (other.0 - from.0).abs() < 0.3 && (other.1 - from.1).abs() < 0.3;
-        if at.is_some() && near(end) && controls.iter().all(|control| near(*control)) {
-            continue;
-        }
-        match is_straight(start, controls, end) {
-            true => text.push_str(&format!("L{}", point(end))),
-            false => text.push_str(&format!("C{} {} {}", point(controls[0]), point(controls[1]), point(end))),
-        }
-        at = Some(end);
+    /// Pixels of the SVG right of the left end and above the lower one.
+    fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
+        let share = |value: f64, (low, high): (f64, f64)| (value - low) / (high - low);
+        (INSIDE * share(x, self.across), self.height * share(y, self.up))
     }
-    text
+
+    /// The points without those that nobody tells from the one before.
+    fn visible(&self, path: &[(f64, f64)]) -> Vec<(f64, f64)> {
+        let mut kept: Vec<(f64, f64)> = Vec::new();
+        for (index, point) in path.iter().enumerate() {
+            let (x, y) = self.place(*point);
+            let near = |(a, b): (f64, f64)| (x - a).hypot(y - b) < NEAR;
+            if index + 1 == path.len() || !kept.last().is_some_and(|last| near(self.place(*last))) {
+                kept.push(*point);
+            }
+        }
+        kept
+    }
+
+    /// A name in the corner beside its point that is farthest from the path.
+    fn label(&self, picture: &Picture, at: (f64, f64), name: &str, path: &[(f64, f64)]) -> Result<Label, PlotError> {
+        let font = Font { size: NAME, bold: true, colour: picture.theme.text };
+        let ((x, y), wide) = (self.place(at), font.width(name)?);
+        let middle = |(right, up): &(f64, f64)| (x + right * (7.0 + wide / 2.0), y + up * 13.0);
+        let free = |corner: &(f64, f64)| {
+            let middle = middle(corner);
+            path.windows(2)
+                .map(|pair| distance(middle, self.place(pair[0]), self.place(pair[1])))
+                .fold(f64::INFINITY, f64::min)
+        };
+        let corners = [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
+        let inside = |corner: &&(f64, f64)| {
+            let (x, y) = middle(corner);
+            (wide / 2.0..=INSIDE - wide / 2.0).contains(&x) && (NAME / 2.0..=self.height - NAME / 2.0).contains(&y)
+        };
+        let best = corners.iter().filter(inside).max_by(|a, b| free(a).total_cmp(&free(b))).unwrap_or(&corners[0]);
+        let offset = (best.0 * (7.0 + wide / 2.0), 0.36 * NAME - best.1 * 13.0);
+        Ok(Label { at, offset, side: HPos::Center, font, text: name.to_owned() })
+    }
 }
 
-/// Whether the control points lie on the line between the ends.
-fn is_straight(start: (f64, f64), controls: [(f64, f64); 2], end: (f64, f64)) -> bool {
-    let (dx, dy) = (end.0 - start.0, end.1 - start.1);
-    let length = dx.hypot(dy).max(1e-9);
-    let off = |(x, y): (f64, f64)| ((x - start.0) * dy - (y - start.1) * dx).abs() / length;
-    let along = |(x, y): (f64, f64)| ((x - start.0) * dx + (y - start.1) * dy) / (length * length);
-    controls.iter().all(|control| off(*control) < 0.01 && (-1e-3..=1.001).contains(&along(*control)))
+/// Of a point from a straight line between two others.
+fn distance(point: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
+    let (along, off) = ((to.0 - from.0, to.1 - from.1), (point.0 - from.0, point.1 - from.1));
+    let length = along.0.hypot(along.1).max(f64::MIN_POSITIVE);
+    let share = ((off.0 / length) * (along.0 / length) + (off.1 / length) * (along.1 / length)).clamp(0.0, 1.0);
+    (off.0 - share * along.0).hypot(off.1 - share * along.1)
 }
 
 /// A ring where the path begins and a dot where it ends.
-fn ends(picture: &Picture, drawing: &mut Drawing, path: &[Stretch], place: &impl Fn((f64, f64)) -> (f64, f64)) {
-    let (theme, stroke) = (&picture.theme, Stroke::solid(picture.theme.text, 2.0));
-    if let (Some((x, y)), true) = (path.first(), picture.marks.is_empty()) {
-        drawing.dot(place((x.values.0, y.values.0)), 5.0, theme.background, stroke);
-    }
-    if let (Some((x, y)), true) = (path.last(), picture.marks.is_empty()) {
-        drawing.dot(place((x.values.1, y.values.1)), 5.0, theme.text, stroke);
-    }
-}
-
-/// Points with their names, each in the corner beside its point that is farthest from the path.
-fn marks(picture: &Picture, drawing: &mut Drawing, path: &[Stretch], place: &impl Fn((f64, f64)) -> (f64, f64)) {
+fn ends(picture: &Picture, path: &[(f64, f64)]) -> Vec<Dot> {
     let theme = &picture.theme;
-    let font = Font { size: HEAD / 2.2, bold: true, colour: theme.text };
-    let shares = || (0..=16).map(|index| f64::from(index) / 16.0);
-    let points = path.iter().flat_map(|(x, y)| shares().map(|share| place((x.at(share), y.at(share)))));
-    let points: Vec<(f64, f64)> = if picture.marks.is_empty() { Vec::new() } else { points.collect() };
-    for mark in &picture.marks {
-        let (x, y) = place((mark.x, mark.y));
-        let wide = width(&mark.name, font.size) * BOLD;
-        let middle = |(right, down): &(f64, f64)| (x + right * (7.0 + wide / 2.0), y + down * 13.0);
-        let free = |corner: &(f64, f64)| {
-            let (a, b) = middle(corner);
-            points.iter().map(|(x, y)| (x - a).hypot(y - b)).fold(f64::INFINITY, f64::min)
-        };
-        let corners = [(1.0, -1.0), (-1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-        let inside = |corner: &&(f64, f64)| (LEFT..=RIGHT).contains(&(middle(corner).0 + corner.0 * wide / 2.0));
-        let best = corners.iter().filter(inside).max_by(|a, b| free(a).total_cmp(&free(b))).unwrap_or(&corners[0]);
-        let (at, base) = middle(best);
-        drawing.dot((x, y), 4.5, theme.background, Stroke::solid(theme.curve(1), 2.4));
-        drawing.text((at, base + 0.36 * font.size), Anchor::Middle, font, &mark.name);
-    }
+    let dot = |(at, fill): (&(f64, f64), _)| Dot { at: *at, radius: 5.0, ring: (theme.text, 2.0), fill };
+    path.first().zip(Some(theme.background)).into_iter().chain(path.last().zip(Some(theme.text))).map(dot).collect()
 }

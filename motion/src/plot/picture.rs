@@ -2,14 +2,15 @@
 
 use std::path::Path;
 
-use super::curve::curve;
-use super::drawing::{BOLD, Drawing, Stroke, width};
+use super::canvas::Font;
+use super::curve::thinned;
+use super::drawing::Drawing;
 use super::error::PlotError;
-use super::frame::{FOOT, Frame, HEAD, LABEL, LEFT, RIGHT, WIDTH, head};
+use super::frame::{Frame, INSIDE, LABEL, Line, NOTE};
 use super::limit::{self, Limit, limits};
 use super::path;
-use super::quantity::Piece;
 use super::scale::{Scale, widened};
+use super::sheet::Sheet;
 use super::theme::Theme;
 use super::unit::{Unit, axis_unit};
 use crate::extremes::Quantity;
@@ -20,6 +21,12 @@ const HEIGHT: f64 = 124.0;
 
 /// Axes share a panel where the panel is no higher than so many times what each of them does there.
 const COMPARABLE: f64 = 12.0;
+
+/// By how many pixels of the SVG a curve may be off where it is drawn by straight lines.
+pub(super) const OFF: f64 = 0.02;
+
+/// In what is so many pixels of the SVG wide nothing is told apart.
+const COLUMN: f64 = 0.5;
 
 /// More meetings of segments than this are not marked.
 const MOST_MEETINGS: usize = 40;
@@ -115,26 +122,22 @@ impl<'a> Picture<'a> {
     /// The motion takes no time or has no axes, or no panel is asked for.
     pub fn draw(&self) -> Result<Drawing, PlotError> {
         self.check()?;
-        let title = if self.title.is_empty() { "Motion" } else { &self.title };
-        let mut drawing = Drawing::new(self.theme.background, title);
         let names: Vec<String> = self.motion.axes().iter().map(|axis| axis.name.clone()).collect();
-        let mut top = head(&mut drawing, &self.theme, &self.title, &self.note, &names);
+        let mut sheet = Sheet::new(&self.title, &self.note, self.theme, &names)?;
         let time = axis_unit("s", self.motion.duration());
         let over_time = self.over_time();
         let mut left = over_time.len();
         for panel in &self.panels {
             if *panel == Panel::Path {
-                top = path::draw(self, &mut drawing, top + HEAD) + FOOT;
+                sheet.frames.push(path::frame(self)?);
             }
             for curves in over_time.iter().filter(|curves| curves.is_of(*panel)) {
                 left -= 1;
-                let is_last = left == 0;
-                self.panel(&mut drawing, curves, &time, top + HEAD, is_last);
-                top += HEAD + HEIGHT + if is_last { FOOT } else { 0.0 };
+                let below = (left == 0).then(|| format!("Time ({})", time.name));
+                sheet.frames.push(Frame { below, ..self.frame(curves, &time)? });
             }
         }
-        drawing.size = (WIDTH, top + 4.0);
-        Ok(drawing)
+        Drawing::new(sheet, if self.title.is_empty() { "Motion" } else { &self.title })
     }
 
     /// Draws it into a file that ends in `.svg` or `.png`, whole or not at all.
@@ -178,22 +181,38 @@ impl<'a> Picture<'a> {
         high - low <= COMPARABLE * extents.fold(f64::INFINITY, f64::min)
     }
 
-    fn panel(&self, drawing: &mut Drawing, curves: &Curves, time: &Unit, top: f64, is_last: bool) {
-        let view = View::new(self, curves, time, top);
-        let frame = Frame { x: &view.x, y: &view.y, top, bottom: top + HEIGHT, theme: &self.theme };
-        frame.grid(drawing, (6, 5), is_last);
-        self.meetings(drawing, &frame, time);
-        frame.border(drawing);
-        limit::draw(drawing, &view.limits, (&view.y, &view.unit), view.range);
-        for (index, pieces) in curves.axes.iter().zip(&view.pieces) {
-            drawing.path(curve(pieces, &view.x, &view.y), Stroke::solid(self.theme.curve(*index), 2.4));
-        }
-        let title = self.name(curves, &view.unit);
-        let room = RIGHT - LEFT - width(&title, LABEL) * BOLD - LABEL;
-        frame.title(drawing, &title, &limit::note(&view.limits, view.range, &view.unit, room));
-        if is_last {
-            frame.below(drawing, &format!("Time ({})", time.name));
-        }
+    fn frame(&self, curves: &Curves, time: &Unit) -> Result<Frame, PlotError> {
+        let view = View::new(self, curves);
+        let (View { limits, range, unit, .. }, end) = (&view, self.motion.duration() / time.size);
+        let title = self.name(curves, unit);
+        let heading = Font { size: LABEL, bold: true, colour: self.theme.text };
+        let room = INSIDE - heading.width(&title)? - LABEL;
+        let mut frame = Frame {
+            note: limit::note(limits, *range, unit, (Font { size: NOTE, bold: false, ..heading }, room))?,
+            title,
+            height: HEIGHT,
+            x: Scale::linear((0.0, end), 7),
+            y: Scale::linear(view.shown, 5),
+            below: None,
+            meetings: self.meetings(time),
+            lines: Vec::new(),
+            dots: Vec::new(),
+            labels: Vec::new(),
+        };
+        limit::draw(&mut frame, limits, unit, *range, end)?;
+        frame.lines.extend(curves.axes.iter().map(|index| self.curve(*index, curves.quantity, &view, time)));
+        Ok(frame)
+    }
+
+    /// What an axis does, in the units of a panel.
+    fn curve(&self, index: usize, quantity: Quantity, view: &View, time: &Unit) -> Line {
+        let (axis, end) = (&self.motion.axes()[index], self.motion.duration());
+        let pixel = (view.shown.1 - view.shown.0) * view.unit.size / HEIGHT;
+        let mut points = quantity.points(&axis.profile, OFF * pixel);
+        points.extend(rest(axis, quantity, end).into_iter().flatten());
+        let points = thinned(points, COLUMN * end / INSIDE).into_iter();
+        let points = points.map(|(at, value)| (at / time.size, value / view.unit.size)).collect();
+        Line { points, colour: self.theme.curve(index), width: 2.4, is_dashed: false }
     }
 
     fn name(&self, curves: &Curves, unit: &Unit) -> String {
@@ -206,16 +225,13 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// Where segments meet.
-    fn meetings(&self, drawing: &mut Drawing, frame: &Frame, time: &Unit) {
-        let times = self.motion.axes().iter().flat_map(|axis| axis.profile.times());
-        let mut pixels: Vec<f64> = times.map(|at| frame.x.at(at / time.size)).collect();
-        pixels.sort_by(f64::total_cmp);
-        pixels.dedup_by(|later, earlier| *later - *earlier < 0.5);
-        if pixels.len() <= MOST_MEETINGS {
-            let stroke = Stroke { colour: self.theme.frame, width: 0.8, dashes: "1 3" };
-            pixels.iter().for_each(|x| drawing.line((*x, frame.top), (*x, frame.bottom), stroke));
-        }
+    /// Where segments meet, if that can be told apart.
+    fn meetings(&self, time: &Unit) -> Vec<f64> {
+        let end = self.motion.duration();
+        let inside = |at: &f64| *at > 0.0 && *at < end;
+        let mut times: Vec<f64> = self.motion.times().into_iter().filter(inside).map(|at| at / time.size).collect();
+        times.dedup_by(|later, earlier| *later - *earlier < COLUMN * end / time.size / INSIDE);
+        if times.len() <= MOST_MEETINGS { times } else { Vec::new() }
     }
 }
 
@@ -231,43 +247,34 @@ impl Curves {
     }
 }
 
-/// The scales of a panel and what is drawn on them, in the units of the scales.
+/// What a panel has to show.
 struct View {
-    pieces: Vec<Vec<Piece>>,
     limits: Vec<Limit>,
     /// Of the values, in SI units.
     range: (f64, f64),
     unit: Unit,
-    x: Scale,
-    y: Scale,
+    /// From the lower end of the panel to the upper one, in its unit.
+    shown: (f64, f64),
 }
 
 impl View {
-    fn new(picture: &Picture, curves: &Curves, time: &Unit, top: f64) -> Self {
+    fn new(picture: &Picture, curves: &Curves) -> Self {
         let axes: Vec<(usize, &Axis)> =
             curves.axes.iter().map(|index| (*index, &picture.motion.axes()[*index])).collect();
         let limits = limits(curves.quantity, &axes, &picture.theme);
         let range = union(&axes.iter().map(|(_, axis)| range(axis, curves.quantity)).collect::<Vec<_>>());
         let shown = with_limits(range, &limits);
         let unit = axis_unit(curves.quantity.unit(), shown.1.max(-shown.0));
-        let y = Scale::linear(frame_range(shown, unit.size, &limits, range), (top + HEIGHT, top));
-        let tolerance = 0.02 * unit.size / y.slope().abs();
-        let scaled = |(_, axis): &(usize, &Axis)| {
-            let pieces = curves.quantity.pieces(&axis.profile, tolerance).into_iter();
-            let rest = rest(axis, curves.quantity, picture.motion.duration());
-            pieces.chain(rest).map(|piece| piece.scaled(time.size, unit.size)).collect()
-        };
-        let pieces = axes.iter().map(scaled).collect();
-        let x = Scale::linear((0.0, picture.motion.duration() / time.size), (LEFT, RIGHT));
-        Self { pieces, limits, range, unit, x, y }
+        let shown = frame_range(shown, unit.size, &limits, range);
+        Self { limits, range, unit, shown }
     }
 }
 
 /// An axis that ends before the others stays where it is.
-fn rest(axis: &Axis, quantity: Quantity, duration: f64) -> Option<Piece> {
+fn rest(axis: &Axis, quantity: Quantity, end: f64) -> Option<[(f64, f64); 2]> {
     let (from, position) = (axis.profile.duration(), axis.profile.end().position);
     let value = if quantity == Quantity::Position { position } else { 0.0 };
-    (from < duration).then_some(Piece { from, to: duration, values: (value, value), slopes: (0.0, 0.0) })
+    (from < end).then_some([(from, value), (end, value)])
 }
 
 fn with_limits((low, high): (f64, f64), limits: &[Limit]) -> (f64, f64) {

@@ -1,38 +1,12 @@
-//! What is drawn over time: one of the four quantities of a profile, as the polynomial pieces it is made of.
+//! What is drawn over time: one of the four quantities of a profile.
 
 use crate::extremes::Quantity;
 use crate::motion::Limits;
 use crate::profile::Profile;
 use crate::segment::Segment;
 
-/// A stretch of a curve: values and slopes at both ends. Between them it is the cubic that these determine.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Piece {
-    pub from: f64,
-    pub to: f64,
-    pub values: (f64, f64),
-    pub slopes: (f64, f64),
-}
-
-impl Piece {
-    /// In other units of time and value.
-    pub(super) fn scaled(self, time: f64, value: f64) -> Self {
-        Self {
-            from: self.from / time,
-            to: self.to / time,
-            values: (self.values.0 / value, self.values.1 / value),
-            slopes: (self.slopes.0 * time / value, self.slopes.1 * time / value),
-        }
-    }
-
-    /// At a share of its time.
-    pub(super) fn at(&self, share: f64) -> f64 {
-        let (a, b, left) = (self.values.0, self.values.1, 1.0 - share);
-        let step = self.to - self.from;
-        let ends = a * left * left * (1.0 + 2.0 * share) + b * share * share * (1.0 + 2.0 * left);
-        ends + step * share * left * (self.slopes.0 * left - self.slopes.1 * share)
-    }
-}
+/// A segment is drawn by no more straight lines than this.
+const MOST_LINES: f64 = 256.0;
 
 impl Quantity {
     pub(super) fn title(self) -> &'static str {
@@ -63,49 +37,65 @@ impl Quantity {
         limit.is_finite().then_some(limit)
     }
 
-    /// How fast it changes.
-    fn slope(self, segment: &Segment, time: f64) -> f64 {
-        let sample = segment.at(time);
+    /// Times and values of a profile, so close that straight lines between them are off by no more than `tolerance`;
+    /// two values where it jumps.
+    pub(super) fn points(self, profile: &Profile, tolerance: f64) -> Vec<(f64, f64)> {
+        let segments = profile.segments().iter().zip(profile.times()).filter(|(segment, _)| segment.duration > 0.0);
+        let points = segments.flat_map(|(segment, start)| {
+            let value = move |time| (start + time, segment.at(time).get(self));
+            self.times(segment, tolerance).map(value)
+        });
+        points.collect()
+    }
+
+    /// From 0 to its duration: |y''|*h^2/8 is how far a straight line of the duration h is off.
+    pub(super) fn times(self, segment: &Segment, tolerance: f64) -> impl Iterator<Item = f64> {
+        let count = segment.duration * (self.bend(segment) / tolerance / 8.0).sqrt();
+        let count = count.ceil().clamp(1.0, MOST_LINES);
+        let duration = segment.duration;
+        (0..=count as u32).map(move |index| duration * (f64::from(index) / count))
+    }
+
+    /// No smaller than its largest second derivative.
+    fn bend(self, segment: &Segment) -> f64 {
+        let last = segment.jerk + segment.snap * segment.duration;
         match self {
-            Self::Position => sample.velocity,
-            Self::Velocity => sample.acceleration,
-            Self::Acceleration => sample.jerk,
-            Self::Jerk => segment.snap,
+            Self::Position => {
+                let ends = segment.start.acceleration.abs().max(segment.end.acceleration.abs());
+                ends + segment.snap.abs() * segment.duration * segment.duration / 8.0
+            }
+            Self::Velocity => segment.jerk.abs().max(last.abs()),
+            Self::Acceleration => segment.snap.abs(),
+            Self::Jerk => 0.0,
         }
-    }
-
-    /// The curve of a profile. A position of the fourth degree is divided until the cubics are off by no more than
-    /// `tolerance`; all else is of the third degree at most.
-    pub(super) fn pieces(self, profile: &Profile, tolerance: f64) -> Vec<Piece> {
-        let starts = profile.times();
-        let with_time = |(segment, start): (&Segment, &f64)| self.pieces_of(segment, *start, tolerance);
-        profile
-            .segments()
-            .iter()
-            .zip(starts)
-            .filter(|(segment, _)| segment.duration > 0.0)
-            .flat_map(with_time)
-            .collect()
-    }
-
-    fn pieces_of(self, segment: &Segment, start: f64, tolerance: f64) -> Vec<Piece> {
-        let count = if self == Self::Position { cubics(segment, tolerance) } else { 1 };
-        let time = |index: usize| segment.duration * (index as f64 / count as f64);
-        let piece = |index: usize| {
-            let (from, to) = (time(index), time(index + 1));
-            let values = (segment.at(from).get(self), segment.at(to).get(self));
-            let slopes = (self.slope(segment, from), self.slope(segment, to));
-            Piece { from: start + from, to: start + to, values, slopes }
-        };
-        (0..count).map(piece).collect()
     }
 }
 
-/// Into how many cubics a segment is divided: |snap|*h^4/384 is how far one of the duration h is off.
-fn cubics(segment: &Segment, tolerance: f64) -> usize {
-    if segment.snap == 0.0 {
-        return 1;
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::segment::State;
+
+    #[test]
+    fn straight_lines_are_as_close_as_asked() {
+        let segment = Segment::with_snap(State { acceleration: 2.0, ..State::rest(1.0) }, 3.0, -4.0, 5.0);
+        for quantity in [Quantity::Position, Quantity::Velocity, Quantity::Acceleration, Quantity::Jerk] {
+            let times: Vec<f64> = quantity.times(&segment, 1e-2).collect();
+            assert_eq!((times[0], times[times.len() - 1]), (0.0, 3.0));
+            for pair in times.windows(2) {
+                let value = |time: f64| segment.at(time).get(quantity);
+                let off = value((pair[0] + pair[1]) / 2.0) - (value(pair[0]) + value(pair[1])) / 2.0;
+                assert!(off.abs() <= 1e-2 * 1.001, "{quantity:?}: {off}");
+            }
+        }
+        assert_eq!(Quantity::Jerk.times(&segment, 1e-2).count(), 2);
     }
-    let count = segment.duration * (segment.snap.abs() / tolerance / 384.0).sqrt().sqrt();
-    (count.ceil() as usize).clamp(1, 64)
+
+    #[test]
+    fn a_jump_is_two_values_at_one_time() {
+        let flat = |from: f64, speed| Segment::with_jerk(State::cruise(from, speed), 1.0, 0.0);
+        let profile = Profile::new(vec![flat(0.0, 1.0), flat(1.0, -2.0)]).expect("a profile");
+        let points = Quantity::Velocity.points(&profile, 1e-3);
+        assert_eq!(points, [(0.0, 1.0), (1.0, 1.0), (1.0, -2.0), (2.0, -2.0)]);
+    }
 }

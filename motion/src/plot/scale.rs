@@ -1,82 +1,102 @@
-//! Scales: from values to pixels, with ticks at round numbers.
+//! Scales: which values an axis shows, its ticks at round numbers, and what they say.
 
-use super::unit::{fixed, superscript, ten_to};
+use std::ops::Range;
 
-/// How values become pixels.
-#[derive(Debug, Clone)]
+use plotters::coord::ranged1d::{BoldPoints, KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+use plotters::coord::types::RangedCoordf64;
+use plotters::prelude::{IntoLogRange, LogCoord};
+
+use super::unit::{fixed, power_of_ten};
+
+/// Ticks are told apart by no more decimals than this.
+const MOST_DECIMALS: i32 = 12;
+
+/// The values of an axis.
+#[derive(Clone)]
 pub(super) struct Scale {
-    low: f64,
-    high: f64,
-    /// The pixels of `low` and `high`.
-    pixels: (f64, f64),
-    logarithmic: bool,
+    coordinate: Coordinate,
+    ticks: Vec<f64>,
 }
 
-/// Where a number stands, in pixels, and what it says.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Tick {
-    pub at: f64,
-    pub label: String,
-    pub value: f64,
+/// How values become pixels.
+#[derive(Clone)]
+enum Coordinate {
+    Linear(RangedCoordf64),
+    Logarithmic(Range<f64>),
 }
 
 impl Scale {
-    /// Equal steps for equal differences.
-    pub(super) fn linear((low, high): (f64, f64), pixels: (f64, f64)) -> Self {
-        Self { low, high, pixels, logarithmic: false }
+    /// Equal steps for equal differences, and at most so many ticks.
+    pub(super) fn linear((low, high): (f64, f64), ticks: usize) -> Self {
+        let coordinate = RangedCoordf64::from(low..high);
+        Self { ticks: coordinate.key_points(BoldPoints(ticks)), coordinate: Coordinate::Linear(coordinate) }
     }
 
     /// Equal steps for equal ratios, of positive values.
-    pub(super) fn logarithmic((low, high): (f64, f64), pixels: (f64, f64)) -> Self {
-        Self { low: low.log10(), high: high.log10(), pixels, logarithmic: true }
+    pub(super) fn logarithmic((low, high): (f64, f64), ticks: usize) -> Self {
+        let range = low..high;
+        Self { ticks: logarithmic(&range).key_points(BoldPoints(ticks)), coordinate: Coordinate::Logarithmic(range) }
     }
 
-    pub(super) fn at(&self, value: f64) -> f64 {
-        let value = if self.logarithmic { value.log10() } else { value };
-        let share = (value - self.low) / (self.high - self.low);
-        self.pixels.0 + share * (self.pixels.1 - self.pixels.0)
+    /// How many ticks it has.
+    pub(super) fn ticks(&self) -> usize {
+        self.ticks.len()
     }
 
-    /// Pixels a unit, of a linear scale.
-    pub(super) fn slope(&self) -> f64 {
-        (self.pixels.1 - self.pixels.0) / (self.high - self.low)
+    /// Whether 0 is between its ends.
+    pub(super) fn has_zero(&self) -> bool {
+        self.range().contains(&0.0)
     }
 
-    /// At most about so many ticks.
-    pub(super) fn ticks(&self, most: usize) -> Vec<Tick> {
-        if self.logarithmic { self.decades(most) } else { self.round_numbers(most) }
-    }
-
-    fn round_numbers(&self, most: usize) -> Vec<Tick> {
-        let (digit, exponent) = step(self.high - self.low, most);
-        let step = digit * ten_to(exponent);
-        let (first, last) = ((self.low / step - 1e-9).ceil() as i64, (self.high / step + 1e-9).floor() as i64);
-        let tick = |index: i64| {
-            let value = index as f64 * digit * ten_to(exponent);
-            Tick { at: self.at(value), label: fixed(value, usize::try_from(-exponent).unwrap_or(0)), value }
+    /// As many as it takes to tell the ticks apart.
+    fn decimals(&self) -> usize {
+        let step = match self.ticks.as_slice() {
+            [first, second, ..] => second - first,
+            [only] => *only,
+            [] => 1.0,
         };
-        (first..=last).map(tick).collect()
-    }
-
-    fn decades(&self, most: usize) -> Vec<Tick> {
-        let (first, last) = ((self.low - 1e-9).ceil() as i32, (self.high + 1e-9).floor() as i32);
-        let every = (1..).find(|every| (last - first) / every < most as i32).unwrap_or(1);
-        let label = |exponent: i32| match exponent {
-            0 => "1".to_owned(),
-            1 => "10".to_owned(),
-            _ => format!("10{}", superscript(exponent)),
+        let is_whole = |decimals: &i32| {
+            let scaled = step * 10_f64.powi(*decimals);
+            (scaled - scaled.round()).abs() <= 1e-6 * scaled.abs()
         };
-        let tick = |exponent| Tick { at: self.at(ten_to(exponent)), label: label(exponent), value: ten_to(exponent) };
-        (first..=last).filter(|exponent| exponent % every == 0).map(tick).collect()
+        (0..MOST_DECIMALS).find(is_whole).unwrap_or(MOST_DECIMALS) as usize
     }
 }
 
-/// The least 1, 2 or 5 times a power of ten with no more than so many steps in a span.
-fn step(span: f64, most: usize) -> (f64, i32) {
-    let candidates = (-320..=308).flat_map(|exponent| [1.0, 2.0, 5.0].map(|digit| (digit, exponent)));
-    let enough = |(digit, exponent): &(f64, i32)| span <= digit * ten_to(*exponent) * most as f64 * (1.0 + 1e-9);
-    let start = candidates.clone().position(|candidate| enough(&candidate)).unwrap_or(0);
-    candidates.clone().nth(start).unwrap_or((1.0, 308))
+impl Ranged for Scale {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
+        match &self.coordinate {
+            Coordinate::Linear(coordinate) => coordinate.map(value, limit),
+            Coordinate::Logarithmic(range) => logarithmic(range).map(value, limit),
+        }
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
+        if hint.max_num_points() == 0 { Vec::new() } else { self.ticks.clone() }
+    }
+
+    fn range(&self) -> Range<f64> {
+        match &self.coordinate {
+            Coordinate::Linear(coordinate) => coordinate.range(),
+            Coordinate::Logarithmic(range) => range.clone(),
+        }
+    }
+}
+
+impl ValueFormatter<f64> for Scale {
+    fn format_ext(&self, value: &f64) -> String {
+        match self.coordinate {
+            Coordinate::Linear(_) => fixed(*value, self.decimals()),
+            Coordinate::Logarithmic(_) => power_of_ten(value.log10().round() as i32),
+        }
+    }
+}
+
+fn logarithmic(range: &Range<f64>) -> LogCoord<f64> {
+    LogCoord::from(range.clone().log_scale())
 }
 
 /// A range with room around it; one of no extent gets some.
@@ -93,17 +113,19 @@ pub(super) fn widened((low, high): (f64, f64), below: f64, above: f64) -> (f64, 
 mod tests {
     use super::*;
 
+    fn labels(scale: &Scale) -> Vec<String> {
+        scale.ticks.iter().map(|tick| scale.format_ext(tick)).collect()
+    }
+
     #[test]
     fn ticks_are_round_and_few() {
-        let scale = Scale::linear((-0.12, 0.31), (0.0, 100.0));
-        let labels: Vec<String> = scale.ticks(5).into_iter().map(|tick| tick.label).collect();
-        assert_eq!(labels, ["−0.1", "0.0", "0.1", "0.2", "0.3"]);
+        assert_eq!(labels(&Scale::linear((-0.12, 0.31), 5)), ["−0.1", "0.0", "0.1", "0.2", "0.3"]);
+        assert_eq!(labels(&Scale::linear((-60.0, 60.0), 5)), ["−50", "0", "50"]);
     }
 
     #[test]
     fn decades_are_ticked() {
-        let scale = Scale::logarithmic((0.5, 2e6), (0.0, 100.0));
-        let labels: Vec<String> = scale.ticks(4).into_iter().map(|tick| tick.label).collect();
-        assert_eq!(labels, ["1", "10²", "10⁴", "10⁶"]);
+        assert_eq!(labels(&Scale::logarithmic((0.5, 2e6), 4)), ["1", "10²", "10⁴", "10⁶"]);
+        assert_eq!(labels(&Scale::logarithmic((0.5, 20.0), 4)), ["1", "10"]);
     }
 }

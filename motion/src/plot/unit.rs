@@ -42,12 +42,12 @@ fn power(base: &str, largest: f64) -> Unit {
 }
 
 /// The number nearest to a power of ten.
-pub(super) fn ten_to(exponent: i32) -> f64 {
+fn ten_to(exponent: i32) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(f64::INFINITY)
 }
 
 /// An exponent as it is set.
-pub(super) fn superscript(exponent: i32) -> String {
+fn superscript(exponent: i32) -> String {
     let raise = |digit: char| match digit {
         '-' => '⁻',
         '1' => '¹',
@@ -57,6 +57,15 @@ pub(super) fn superscript(exponent: i32) -> String {
         _ => char::from_u32('⁰' as u32 + digit.to_digit(10).unwrap_or(0)).unwrap_or(digit),
     };
     exponent.to_string().chars().map(raise).collect()
+}
+
+/// A power of ten as it is set.
+pub(super) fn power_of_ten(exponent: i32) -> String {
+    match exponent {
+        0 => "1".to_owned(),
+        1 => "10".to_owned(),
+        _ => format!("10{}", superscript(exponent)),
+    }
 }
 
 /// A number with so many decimals and a minus as wide as a plus.

@@ -13,10 +13,12 @@ use closedform_tests::failure::Failure;
 use closedform_tests::golden::{self, GoldenValue};
 use closedform_tests::hunt::hunt;
 use closedform_tests::inputs::{Maker, Points};
+use closedform_tests::laws::chain::Chain;
+use closedform_tests::laws::motion::Motion;
 use closedform_tests::laws::{Law, check_inverse};
 use closedform_tests::reference::References;
 use closedform_tests::scaling::check_scaling;
-use closedform_tests::{shapes, strategy};
+use closedform_tests::{kept, plain, shapes, strategy};
 
 /// Points for each maker, and those at edges; the seed is always the same.
 const POINTS: usize = 200;
@@ -105,6 +107,42 @@ fn climbs_end_higher_than_they_start() {
 }
 
 #[test]
+fn a_kernel_must_not_be_worse_than_its_plain_form() {
+    let worse = |kernel| {
+        Maker::SAMPLINGS.iter().find_map(|maker| {
+            let judge = judge(kernel);
+            plain::check_plain(&judge, &points(&judge, *maker)).err()
+        })
+    };
+    for kernel in right::ALL {
+        assert_eq!(worse(kernel), None);
+    }
+    let text = worse(&mutants::branches_swapped::KERNEL).expect("the plain form is right where v < 0");
+    assert!(
+        text.contains("where the plain form is") && text.contains("closedform eval sample::branches_swapped"),
+        "{text}"
+    );
+}
+
+#[test]
+fn kept_inputs_that_do_not_fit_or_got_worse_are_told() {
+    let judges = [judge(&right::distance::KERNEL)];
+    let told = |line: &str| kept::complaints(&judges, &kept::parse(line).expect("a line")).join("\n");
+    let inputs = "v=0x1.8p+0 a=0x1p+0 t=0x1.5555555555555p-2";
+    assert_eq!(told(&format!("sample::distance\tdistance\t0.500\t{inputs}")), "");
+    for (line, says) in [
+        (format!("sample::distance\tdistance\t0.001\t{inputs}"), "ulp off where 0.001 ulp were kept"),
+        (format!("sample::other\tdistance\t0.500\t{inputs}"), "no such kernel"),
+        (format!("sample::distance\tother\t0.500\t{inputs}"), "no worst input of `distance`"),
+        ("sample::distance\tdistance\t0.500\tv=0x1p+0 a=0x1p+0".to_owned(), "the inputs are others"),
+        ("sample::distance\tdistance\t0.500\tv=0x1p+0 a=-0x1p+0 t=0x1p+0".to_owned(), "outside the domain"),
+    ] {
+        let told = told(&line);
+        assert!(told.contains(says) && told.contains("closedform verify --hunt 60s --keep"), "{told}");
+    }
+}
+
+#[test]
 fn one_point_without_digits_is_enough() {
     let sum = judge(&mutants::plain_sum::KERNEL);
     let points = |list| Points { origin: "by hand".to_owned(), list };
@@ -159,6 +197,22 @@ fn broken_laws_are_told() {
 }
 
 #[test]
+fn comparisons_allow_what_the_bounds_do() {
+    let law = |kernel, text| {
+        let judge = judge(kernel);
+        Law::new(text).check(&judge, &["v", "a"], &points(&judge, Maker::Logarithmic))
+    };
+    for text in ["a*t^2 <= x", "x <= a*t^2", "a*t^2 >= x", "x >= a*t^2"] {
+        assert_eq!(law(&right::ramps::KERNEL, text), Ok(()));
+    }
+    for text in ["a*t^2 < x", "a*t^2 > x", "a*t^2 <= x and t > 0", "1000000000000*a*t^2 <= 999999999999*x"] {
+        assert!(law(&right::ramps::KERNEL, text).is_err(), "{text}");
+    }
+    assert_eq!(law(&mutants::peak_too_high::KERNEL, "a*t^2 >= x"), Ok(()));
+    assert!(law(&mutants::peak_too_high::KERNEL, "a*t^2 <= x").is_err());
+}
+
+#[test]
 fn kernels_that_do_not_undo_each_other_are_told() {
     let distance = judge(&right::distance::KERNEL);
     let inverse = |kernel| {
@@ -167,6 +221,59 @@ fn kernels_that_do_not_undo_each_other_are_told() {
     };
     assert_eq!(inverse(&right::time_to_reach::KERNEL), Ok(()));
     assert!(inverse(&mutants::coefficient::KERNEL).is_err());
+}
+
+/// Demands a move of the results of a kernel, by these names.
+fn closes(kernel: &'static Kernel, results: &[&'static str], motion: &Motion) -> Result<usize, String> {
+    let judge = judge(kernel);
+    Chain::new(&judge, results).check(&points(&judge, Maker::Logarithmic), &[motion])
+}
+
+#[test]
+fn moves_that_do_not_close_are_told() {
+    let reach = Motion::from(["0", "v", "a"]).jerk("t", "0", ["x", "v+a*t", "a"]);
+    assert_eq!(closes(&right::time_to_reach::KERNEL, &["t"], &reach), Ok(POINTS));
+    for kernel in mutants::WRONG {
+        // One kernel is wrong only where v vanishes, one only by what is nothing at these times.
+        let hidden = [&mutants::zero::KERNEL, &mutants::offset::KERNEL].iter().any(|other| other.info == kernel.info);
+        assert_eq!(closes(kernel, &["t"], &reach).is_err(), !hidden, "{kernel:?}");
+    }
+    let ramps = |fall| {
+        let half = Motion::from(["0", "0", "0"]).jerk("t", "v/t^2", ["x/6", "v/2", "a"]);
+        half.jerk("t", fall, ["x", "v", "0"])
+    };
+    assert_eq!(closes(&right::ramps::KERNEL, &["v", "a"], &ramps("-v/t^2")), Ok(POINTS));
+    for (kernel, what) in mutants::WRONG_MOVES {
+        let told = closes(kernel, &["v", "a"], &ramps("-v/t^2")).expect_err("the move does not close");
+        assert!(told.contains(what), "{told}");
+    }
+    let told = closes(&right::ramps::KERNEL, &["v", "a"], &ramps("-v/(2*t^2)")).expect_err("it falls too slowly");
+    assert!(told.contains("position after segment 2"), "{told}");
+}
+
+#[test]
+fn moves_of_more_kernels_follow_their_errors() {
+    // What `ramp` makes of the time is off with it, so that the distance by one and by the other agree.
+    let (reach, ramp) = (judge(&right::time_to_reach::KERNEL), judge(&right::ramp::KERNEL));
+    let mut points = points(&reach, Maker::Logarithmic);
+    points.list.retain(|inputs| inputs[2] > 0.0);
+    let all = Ok(points.list.len());
+    let chain = || Chain::new(&reach, &["t"]).then(&ramp, &["d", "w"]);
+    let moves = |end| Motion::from(["0", "v", "0"]).jerk("t", "a/t", [end, "v+w", "a"]);
+    assert_eq!(chain().check(&points, &[&moves("v*t+d")]), all);
+    assert_eq!(chain().check(&points, &[&Law::new("6*d = 2*(x-v*t)")]), all);
+    assert!(chain().check(&points, &[&moves("v*t+2*d")]).is_err());
+    let wrong = Chain::new(&judge(&mutants::coefficient::KERNEL), &["t"]).then(&ramp, &["d", "w"]);
+    assert!(wrong.check(&points, &[&Law::new("6*d = 2*(x-v*t)")]).is_err());
+}
+
+#[test]
+fn chains_that_leave_their_domains_are_told() {
+    let (distance, reach) = (judge(&right::distance::KERNEL), judge(&right::time_to_reach::KERNEL));
+    let points = points(&distance, Maker::Logarithmic);
+    let out = Chain::new(&distance, &["d"]).define("x", "-1000000000").then(&reach, &["t0"]);
+    let told = out.check(&points, &[&Law::new("t0 > 0")]).expect_err("no point stays");
+    assert!(told.contains("only 0 of 200 points stay"), "{told}");
 }
 
 #[test]

@@ -2,6 +2,8 @@
 
 use closedform::{Kernel, kernel};
 
+use crate::right::Ramps;
+
 /// Kernels that take v, a, x and return the time to reach x: each its own mistake.
 macro_rules! mutants {
     ($($(#[$doc:meta])* $name:ident($v:ident, $a:ident, $x:ident) { $($body:tt)* })*) => {$(
@@ -148,4 +150,40 @@ pub fn plain_sum(
 #[kernel(family = "sample", result(worksheet = "reach", unit = "s"))]
 pub fn unbounded(v: f64, a: f64, x: f64) -> f64 {
     (sqrt(v * v + 2.0 * a * x) - v) / a
+}
+
+/// Two ramps that do not lead to where they should, by what is wrong of them first.
+pub const WRONG_MOVES: [(&Kernel, &str); 2] =
+    [(&ramps_too_slow::KERNEL, "position after segment 1"), (&peak_too_high::KERNEL, "acceleration after segment 1")];
+
+/// The velocity is the mean one of one ramp.
+#[kernel(
+    family = "sample",
+    bound(v = 0.5, a = 2),
+    results(v(worksheet = "ramps_v", unit = "m/s"), a(worksheet = "ramps_a", unit = "m/s^2"))
+)]
+pub fn ramps_too_slow(
+    #[input(unit = "m", typical(1e-6, 1e-2))] x: f64,
+    #[input(unit = "s", typical(1e-4, 1e-1))] t: f64,
+) -> Ramps {
+    require!(x > 0.0, "x > 0");
+    require!(t > 0.0, "t > 0");
+    let v = x / t;
+    Ramps { v: 0.5 * v, a: v / t }
+}
+
+/// The peak, in its last digits.
+#[kernel(
+    family = "sample",
+    bound(v = 0.5, a = 2),
+    results(v(worksheet = "ramps_v", unit = "m/s"), a(worksheet = "ramps_a", unit = "m/s^2"))
+)]
+pub fn peak_too_high(
+    #[input(unit = "m", typical(1e-6, 1e-2))] x: f64,
+    #[input(unit = "s", typical(1e-4, 1e-1))] t: f64,
+) -> Ramps {
+    require!(x > 0.0, "x > 0");
+    require!(t > 0.0, "t > 0");
+    let v = x / t;
+    Ramps { v, a: 1.000000000000002 * v / t }
 }

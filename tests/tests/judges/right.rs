@@ -8,6 +8,8 @@ reach(v,a,x):=(sqrt(v^2+2*a*x)-v)/a$
 travel(v,a,t):=v*t+a*t^2/2$
 ramp_d(a,t):=a*t^2/6$
 ramp_v(a,t):=a*t/2$
+ramps_v(x,t):=x/t$
+ramps_a(x,t):=x/t^2$
 ";
 
 /// What Maxima would print.
@@ -19,10 +21,12 @@ travel\tv=-0x1p+0 a=0x1p+1 t=0x1p+0\t0
 travel\tv=0x1p-1 a=0x1p+1 t=0x1.8p+0\t3.000000000000000000000000000000000000000
 ramp_d\ta=0x1p+0 t=0x1p+0\t1.666666666666666666666666666666666666667e-1
 ramp_v\ta=0x1p+0 t=0x1p+0\t5.000000000000000000000000000000000000000e-1
+ramps_v\tx=0x1p+0 t=0x1p+1\t5.000000000000000000000000000000000000000e-1
+ramps_a\tx=0x1p+0 t=0x1p+1\t2.500000000000000000000000000000000000000e-1
 ";
 
 /// All of them.
-pub const ALL: [&Kernel; 3] = [&time_to_reach::KERNEL, &distance::KERNEL, &ramp::KERNEL];
+pub const ALL: [&Kernel; 4] = [&time_to_reach::KERNEL, &distance::KERNEL, &ramp::KERNEL, &ramps::KERNEL];
 
 /// Time to reach x from the velocity v with the acceleration a.
 #[kernel(family = "sample", bound = 3, result(worksheet = "reach", unit = "s"))]
@@ -70,4 +74,29 @@ pub fn ramp(
     require!(a > 0.0, "a > 0");
     require!(t >= 0.0, "t >= 0");
     Ramp { d: a * t * t / 6.0, v: 0.5 * a * t }
+}
+
+/// Velocity after two ramps of the acceleration, and its peak between them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ramps {
+    /// Velocity at the end.
+    pub v: f64,
+    /// Acceleration in the middle.
+    pub a: f64,
+}
+
+/// Two ramps that travel x from rest, to the peak of the acceleration and back to none, in the time t each.
+#[kernel(
+    family = "sample",
+    bound(v = 0.5, a = 2),
+    results(v(worksheet = "ramps_v", unit = "m/s"), a(worksheet = "ramps_a", unit = "m/s^2"))
+)]
+pub fn ramps(
+    #[input(unit = "m", typical(1e-6, 1e-2))] x: f64,
+    #[input(unit = "s", typical(1e-4, 1e-1))] t: f64,
+) -> Ramps {
+    require!(x > 0.0, "x > 0");
+    require!(t > 0.0, "t > 0");
+    let v = x / t;
+    Ramps { v, a: v / t }
 }

@@ -2,7 +2,11 @@
 //!
 //! Its two segments: from no acceleration at v1Scan to -2*v1Diff/tIn at v1Scan-v1Diff, and from there to -a1Max at rest.
 
-use crate::{demand, demand_inverse};
+use closedform_tests::kernels::judge_of;
+use closedform_tests::laws::chain::Chain;
+use closedform_tests::laws::motion::Motion;
+
+use crate::{demand, demand_inverse, demand_motion, kernel};
 
 #[test]
 fn the_ramp_closes_its_segment() {
@@ -37,14 +41,14 @@ fn the_ramp_that_a_turn_needs_brings_it_to_rest() {
         &[
             "0 = v1Scan-v1Diff+(-2*v1Diff/tIn-a1Max)*tOut/2",
             "tIn > 0",
-            // To rounding: no deceleration beyond a1Max.
-            "1000000001*a1Max*tIn >= 2000000000*v1Diff",
+            // No deceleration beyond a1Max.
+            "a1Max*tIn >= 2*v1Diff",
         ],
     );
     demand(
         "fly_axis::v1_diff",
         &["v1Diff"],
-        &["0 = v1Scan-v1Diff+(-2*v1Diff/tIn-a1Max)*tOut/2", "v1Diff >= 0", "2000000000*v1Diff <= 1000000001*a1Max*tIn"],
+        &["0 = v1Scan-v1Diff+(-2*v1Diff/tIn-a1Max)*tOut/2", "v1Diff >= 0", "2*v1Diff <= a1Max*tIn"],
     );
 }
 
@@ -81,4 +85,49 @@ fn the_overhead_by_the_turn_alone_brings_it_to_rest() {
             "tOvrHd >= tOut and slope > 0",
         ],
     );
+}
+
+/// With what the kernels of the two segments make of tIn, v1Scan, v1Diff and a1Max: d1In, a1In, tOut and d1Out.
+pub fn with_segments(chain: Chain) -> Chain {
+    chain
+        .then(&judge_of("fly_axis::d1_in"), &["d1In"])
+        .then(&judge_of("fly_axis::a1_in"), &["a1In"])
+        .then(&judge_of("fly_axis::turn_out"), &["tOut", "d1Out"])
+}
+
+/// The scan axis from its line to rest and, mirrored in time, back to its line.
+pub fn turn() -> Motion {
+    Motion::from(["0", "v1Scan", "0"])
+        .jerk("tIn", "-2*v1Diff/tIn^2", ["d1In", "v1Scan-v1Diff", "a1In"])
+        .ramp("tOut", ["d1In+d1Out", "0", "-a1Max"])
+        .ramp("tOut", ["d1In", "v1Diff-v1Scan", "a1In"])
+        .jerk("tIn", "2*v1Diff/tIn^2", ["0", "-v1Scan", "0"])
+}
+
+#[test]
+fn the_turn_closes() {
+    let segments = kernel("fly_axis::turn_out", &["tOut", "d1Out"])
+        .then(&judge_of("fly_axis::d1_in"), &["d1In"])
+        .then(&judge_of("fly_axis::a1_in"), &["a1In"]);
+    demand_motion(&segments, &turn());
+}
+
+#[test]
+fn the_turn_closes_with_the_ramp_that_it_needs() {
+    // Here tOut is given, and what d1In and a1In say follows from the ramp.
+    for (name, result) in [("fly_axis::t_in_of_t_out", "tIn"), ("fly_axis::v1_diff", "v1Diff")] {
+        let chain = kernel(name, &[result])
+            .then(&judge_of("fly_axis::d1_in"), &["d1In"])
+            .then(&judge_of("fly_axis::a1_in"), &["a1In"])
+            .define("d1Out", "(v1Scan-v1Diff)*tOut+(2*a1In-a1Max)*tOut^2/6");
+        demand_motion(&chain, &turn());
+    }
+}
+
+#[test]
+fn the_time_added_is_that_of_the_line() {
+    // The distance of the ramp, at v1Scan all the time.
+    let chain = kernel("fly_axis::t_add", &["tAdd"]).then(&judge_of("fly_axis::d1_in"), &["d1In"]);
+    let line = Motion::from(["0", "v1Scan", "0"]).jerk("tIn-tAdd", "0", ["d1In", "v1Scan", "0"]);
+    demand_motion(&chain, &line);
 }

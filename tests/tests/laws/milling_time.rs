@@ -3,7 +3,9 @@
 use closedform_tests::check::Judge;
 use closedform_tests::kernels::judge_of;
 
-use crate::demand;
+use closedform_tests::laws::motion::Motion;
+
+use crate::{demand, demand_motion, demand_motions, kernel};
 
 #[test]
 fn a_direction_has_norm_one_and_points_along_the_cut() {
@@ -85,4 +87,20 @@ fn a_cut_is_twice_constant_acceleration_from_rest_to_its_middle() {
         let (whole, half) = (cut_time.actual(&[n, a, s])[0], half.actual(&[n, 0.0, a, s / 2.0])[1]);
         assert!((whole - 2.0 * half).abs() <= bounds * whole, "{n} {a} {s}: {whole}, {half}");
     }
+}
+
+#[test]
+fn axes_close_on_their_cut() {
+    let constant = Motion::from(["0", "u", "a"]).jerk("T", "0", ["n*L", "n*X", "a"]);
+    demand_motion(&kernel("milling_time::constant_acceleration", &["X", "T"]), &constant);
+    let cut = Motion::from(["0", "0", "a"])
+        .jerk("T/2", "0", ["n*s/2", "a*T/2", "a"])
+        .jerk("T/2", "0", ["n*s", "0", "-a"])
+        .after_jump_to("-a");
+    demand_motion(&kernel("milling_time::cut_time", &["T"]), &cut);
+    // A step is driven at the speed of its end; the acceleration takes the axis there in its time.
+    let chain = kernel("milling_time::step_speed", &["X"]).then(&judge_of("milling_time::step_time"), &["T"]);
+    let driven = Motion::from(["0", "n*X", "0"]).jerk("T", "0", ["n*L", "n*X", "0"]);
+    let reached = Motion::from(["0", "u", "a"]).jerk("T", "0", ["n*L-a*T^2/2", "n*X", "a"]);
+    demand_motions(&chain, &driven, &reached);
 }

@@ -2,7 +2,10 @@
 
 use closedform_tests::kernels::judge_of;
 
-use crate::demand;
+use closedform_tests::laws::motion::Motion;
+
+use crate::turnaround::turn as step_turn;
+use crate::{demand, demand_motions, fly_axis, kernel};
 
 #[test]
 fn the_optimum_solves_both_axes() {
@@ -36,8 +39,9 @@ fn the_optimum_in_variables_of_the_worksheet_solves_both_axes() {
             "(tIn+3*tIn*(v1Scan-v1Diff)/(a1Max*tIn+2*v1Diff))^2 \
          = (tIn*(v1Scan-v1Diff)/(a1Max*tIn+2*v1Diff))^2+3*delta",
             "tIn > 0",
-            // To rounding: it loses 2*v1Diff at no more than a1Max, in less than the ramps in alone would take.
-            "1000000001*a1Max*tIn >= 2000000000*v1Diff and 1000000000*tIn^2 <= 3000000001*delta",
+            // It loses 2*v1Diff at no more than a1Max, in less than the ramps in alone would take.
+            "a1Max*tIn >= 2*v1Diff",
+            "tIn^2 <= 3*delta",
         ],
     );
 }
@@ -54,4 +58,22 @@ fn the_quartic_is_solved() {
             "qa*(2*x)^4+qb*(2*x)^3+qc*(2*x)^2 > qd and qa*(x/2)^4+qb*(x/2)^3+qc*(x/2)^2 < qd",
         ],
     );
+}
+
+#[test]
+fn both_axes_close_at_the_optimum() {
+    // v1Scan = v+3/2*Delta, v1Diff = Delta/2; the ramps out take 2*t_o.
+    let chain = kernel("optimum::t_i", &["t_i"]).then(&judge_of("optimum::t_o"), &["t_o"]).define("tIn", "t_i");
+    let scan = Motion::from(["0", "v+3/2*Delta", "0"])
+        .jerk("tIn", "-Delta/tIn^2", ["(v+4/3*Delta)*tIn", "v+Delta", "-Delta/tIn"])
+        .ramp("2*t_o", ["(v+4/3*Delta)*tIn+2*((v+Delta)*t_o+a*t_o^2)/3", "0", "-a"])
+        .ramp("2*t_o", ["(v+4/3*Delta)*tIn", "-v-Delta", "-Delta/tIn"])
+        .jerk("tIn", "Delta/tIn^2", ["0", "-v-3/2*Delta", "0"]);
+    demand_motions(&chain, &scan, &step_turn("1", "2*t_o", "0", "delta"));
+}
+
+#[test]
+fn both_axes_close_at_the_optimum_in_variables_of_the_worksheet() {
+    let chain = fly_axis::with_segments(kernel("optimum::t_in", &["tIn"]));
+    demand_motions(&chain, &fly_axis::turn(), &step_turn("1", "tOut", "0", "delta"));
 }

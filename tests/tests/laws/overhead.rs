@@ -3,7 +3,10 @@
 //! The step axis closes on its step: (2*tau+tIn)*(4*tau+tIn) = 3*delta with tau = tOut/2+tEdge/4. The scan axis comes to
 //! rest: (2*v1Diff/tIn+a1Max)*tOut = 2*(v1Scan-v1Diff). Its ramp adds tIn*v1Diff/(3*v1Scan).
 
-use crate::{demand, demand_inverse};
+use closedform_tests::laws::motion::Motion;
+
+use crate::turnaround::turn as step_turn;
+use crate::{demand, demand_inverse, demand_motion, demand_motions, fly_axis, kernel};
 
 #[test]
 fn the_step_axis_closes_on_its_step() {
@@ -38,8 +41,9 @@ fn the_rest_at_the_edge_closes_both_axes() {
         &[
             "(2*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn)+tIn)*(4*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn)+tIn) = 3*delta",
             "v1Diff >= 0",
-            // To rounding: no deceleration beyond a1Max, and no more lost than there is.
-            "2000000000*v1Diff <= 1000000001*a1Max*tIn and 1000000000*v1Diff <= 1000000001*v1Scan",
+            // No deceleration beyond a1Max, and no more lost than there is.
+            "2*v1Diff <= a1Max*tIn",
+            "v1Diff <= v1Scan",
         ],
     );
 }
@@ -82,4 +86,29 @@ fn the_gradient_is_that_of_the_distance_of_the_turn() {
             "v1Diff = 0 or byIn > 0",
         ],
     );
+}
+
+#[test]
+fn the_turn_of_the_step_axis_closes() {
+    // With its largest acceleration 1 the step is delta; each ramp out takes 2*tau = tOvrHd-tAdd.
+    let chain = kernel("overhead::step_limited", &["tOvrHd"]).define("twoTau", "tOvrHd-tIn*v1Diff/(3*v1Scan)");
+    demand_motion(&chain, &step_turn("1", "twoTau", "0", "delta"));
+}
+
+#[test]
+fn the_turn_of_the_scan_axis_closes() {
+    let chain = kernel("overhead::scan_limited", &["tOvrHd"]).define("tOut", "tOvrHd-tIn*v1Diff/(3*v1Scan)");
+    let motion = Motion::from(["0", "v1Scan", "0"])
+        .jerk("tIn", "-2*v1Diff/tIn^2", ["(3*v1Scan-v1Diff)*tIn/3", "v1Scan-v1Diff", "-2*v1Diff/tIn"])
+        .ramp("tOut", ["(3*v1Scan-v1Diff)*tIn/3+(2*(v1Scan-v1Diff)+a1Max*tOut)*tOut/6", "0", "-a1Max"]);
+    demand_motion(&chain, &motion);
+}
+
+#[test]
+fn both_turns_close_in_one_time() {
+    // The step axis ramps out while the scan axis turns and rests: tOut+tEdge/2 to either side of the edge.
+    let rest = fly_axis::with_segments(kernel("overhead::t_edge", &["tEdge"]));
+    demand_motions(&rest, &fly_axis::turn(), &step_turn("1", "(tOut+tEdge/2)", "0", "delta"));
+    let none = fly_axis::with_segments(kernel("overhead::v1_diff", &["v1Diff"]));
+    demand_motions(&none, &fly_axis::turn(), &step_turn("1", "tOut", "0", "delta"));
 }

@@ -1,6 +1,12 @@
 //! Laws of segments of position, velocity and time.
 
-use crate::demand;
+use closedform_tests::budget::budget;
+use closedform_tests::inputs::Maker;
+use closedform_tests::kernels::judge_of;
+use closedform_tests::laws::motion::Motion;
+use closedform_tests::random::seed;
+
+use crate::{demand, demand_motion, demand_of, kernel};
 
 /// Where a segment of position, velocity and time ends.
 const SEGMENT: [&str; 2] = ["x1 = x0+v0*t1+(2*a0+a1)*t1^2/6", "v1 = v0+(a0+a1)*t1/2"];
@@ -58,4 +64,52 @@ fn minimal_jerk_closes_the_segment() {
 #[test]
 fn constant_acceleration_closes_the_segment() {
     demand("pvt::constant_acceleration", &["a", "d_x"], &["a*t1 = dV", "d_x = v0*t1+a*t1^2/2"]);
+}
+
+/// From (x0, v0) with the acceleration `a0` to (x1, v1) with `a1`.
+fn segment(a0: &str, a1: &str) -> Motion {
+    Motion::from(["x0", "v0", a0]).ramp("t1", ["x1", "v1", a1])
+}
+
+#[test]
+fn segments_close() {
+    demand_motion(&kernel("pvt::arrival_first", &["t1", "a1"]), &segment("a0", "a1"));
+    demand_motion(&kernel("pvt::arrival_last", &["t1", "a1"]), &segment("a0", "a1"));
+    demand_motion(&kernel("pvt::boundary_accelerations", &["a0", "a1"]), &segment("a0", "a1"));
+    demand_motion(&kernel("pvt::min_jerk_segment", &["t1", "delta_a"]), &segment("ai+delta_a", "af-delta_a"));
+    let constant = Motion::from(["0", "v0", "a"]).jerk("t1", "0", ["d_x", "v0+dV", "a"]);
+    demand_motion(&kernel("pvt::constant_acceleration", &["a", "d_x"]), &constant);
+}
+
+#[test]
+fn states_follow_each_other() {
+    let position = kernel("pvt::position_at", &["x"]).then(&judge_of("pvt::velocity_at"), &["v"]);
+    let jerk = "(a1-a0)/t1";
+    let there = Motion::from(["x0", "v0", "a0"]).jerk("t", jerk, ["x", "v", &format!("a0+{jerk}*t")]);
+    demand_motion(&position, &there);
+    // The acceleration only where the segment is.
+    let state = position.then(&judge_of("pvt::acceleration_at"), &["a"]);
+    let mut points = state.points(Maker::Logarithmic, seed(), 4 * budget().laws);
+    points.list.retain(|inputs| (0.0..=inputs[4]).contains(&inputs[5]));
+    assert!(2 * points.list.len() > budget().laws);
+    let there = Motion::from(["x0", "v0", "a0"]).jerk("t", jerk, ["x", "v", "a"]);
+    state.check(&points, &[&there]).unwrap_or_else(|broken| panic!("{broken}"));
+}
+
+#[test]
+fn turning_out_and_back_closes() {
+    let motion = Motion::from(["0", "v0", "0"]).jerk("t_out", "a1/t_out", ["d1_out", "0", "a1"]).jerk(
+        "t_out",
+        "-a1/t_out",
+        ["0", "-v0", "0"],
+    );
+    demand_motion(&kernel("pvt::turn_out", &["t_out", "d1_out"]), &motion);
+}
+
+#[test]
+fn one_of_the_arrivals_undoes_the_boundary_accelerations() {
+    let accelerations = kernel("pvt::boundary_accelerations", &["a0", "a1"]);
+    let chain =
+        accelerations.then(&judge_of("pvt::arrival_first"), &["first"]).then(&judge_of("pvt::arrival_last"), &["last"]);
+    demand_of(&chain, &["(first-t1)*(last-t1) = 0"]);
 }

@@ -1,6 +1,8 @@
 //! Laws of the asymmetric way back of the scan axis.
 
-use crate::demand;
+use closedform_tests::laws::motion::Motion;
+
+use crate::{demand, demand_motion, kernel};
 
 const RESULTS: [&str; 5] = ["a2", "tEdge1", "d1Edge1", "d1Edge2", "v1Edge2"];
 
@@ -36,9 +38,14 @@ fn the_accelerations_alone_make_the_whole_way() {
 
 #[test]
 fn the_first_segment_takes_a_part_of_the_time() {
-    demand(
-        "return_path::asymmetric_return",
-        &RESULTS,
-        &["tEdge1 > 0 and d1Edge1 > 0", "1000000000*tEdge1 <= 1000000001*tEdge"],
-    );
+    demand("return_path::asymmetric_return", &RESULTS, &["tEdge1 > 0 and d1Edge1 > 0", "tEdge1 <= tEdge"]);
+}
+
+#[test]
+fn the_way_back_closes() {
+    let motion = Motion::from(["0", "0", "a1Max"])
+        .jerk("tEdge1", "-2*a1Max/tEdge1", ["d1Edge1", "0", "-a1Max"])
+        .ramp("tEdge-tEdge1", ["d1Edge1+d1Edge2", "v1Edge2", "a2"])
+        .jerk("tOut", "(a3-a2)/tOut", ["d1Out", "v3", "a3"]);
+    demand_motion(&kernel("return_path::asymmetric_return", &RESULTS), &motion);
 }

@@ -3,11 +3,12 @@
 //! Segment i is `c<i>0+c<i>1*t+c<i>2*t^2+..` from t = 0 to t<i>.
 
 use closedform_tests::kernels::judge_of;
+use closedform_tests::laws::motion::Motion;
 use closedform_tests::random::{Random, seed};
 use closedform_tests::ulp::{self, F64};
 use rug::Float;
 
-use crate::demand;
+use crate::{demand, demand_motion, kernel};
 
 #[test]
 fn a_segment_is_as_long_as_pythagoras_says() {
@@ -169,4 +170,69 @@ fn uniform_motion_is_reproduced() {
             }
         }
     }
+}
+
+/// Problems (a) and (b): the velocity of (a) jumps at the points, so each segment of it is a move of its own.
+#[test]
+fn moves_of_lines_and_parabolas_close() {
+    let linear = kernel("waypoints::linear", &["c00", "c10", "c20", "c01", "c11", "c21"]);
+    for [from, velocity, time, to] in
+        [["c00", "c01", "t0", "c10"], ["c10", "c11", "t1", "c20"], ["c20", "c21", "t2", "P3"]]
+    {
+        demand_motion(&linear, &Motion::from([from, velocity, "0"]).jerk(time, "0", [to, velocity, "0"]));
+    }
+    let results = ["c00", "c10", "c20", "c11", "c21", "c01", "c02", "c22"];
+    let motion = Motion::from(["c00", "c01", "2*c02"])
+        .jerk("t0", "0", ["c10", "c11", "2*c02"])
+        .jerk("t1", "0", ["c20", "c21", "0"])
+        .after_jump_to("0")
+        .jerk("t2", "0", ["P3", "c21+2*c22*t2", "2*c22"])
+        .after_jump_to("2*c22");
+    demand_motion(&kernel("waypoints::quadratic_linear_quadratic", &results), &motion);
+}
+
+/// Problem (c): the acceleration jumps at the inner points.
+#[test]
+fn the_move_from_rest_to_rest_closes() {
+    let results = ["c00", "c10", "c20", "c01", "c02", "c11", "c21", "c22", "c12", "c13"];
+    let motion = Motion::from(["c00", "c01", "2*c02"])
+        .jerk("t0", "0", ["c10", "c11", "2*c02"])
+        .jerk("t1", "6*c13", ["c20", "c21", "2*c12+6*c13*t1"])
+        .after_jump_to("2*c12")
+        .jerk("t2", "0", ["P3", "0", "2*c22"])
+        .after_jump_to("2*c22");
+    demand_motion(&kernel("waypoints::quadratic_cubic_quadratic_at_rest", &results), &motion);
+}
+
+/// Problem (d).
+#[test]
+fn the_move_of_continuous_acceleration_closes() {
+    let results = ["c00", "c10", "c20", "c02", "c12", "c22", "c01", "c11", "c21", "c13"];
+    let motion = Motion::from(["c00", "c01", "2*c02"])
+        .jerk("t0", "0", ["c10", "c11", "2*c12"])
+        .jerk("t1", "6*c13", ["c20", "c21", "2*c22"])
+        .jerk("t2", "0", ["P3", "c21+2*c22*t2", "2*c22"]);
+    demand_motion(&kernel("waypoints::quadratic_cubic_quadratic", &results), &motion);
+}
+
+/// Problem (e).
+#[test]
+fn the_move_of_cubics_closes() {
+    let results = ["c00", "c10", "c20", "c01", "c11", "c21", "c02", "c12", "c22", "c03", "c13", "c23"];
+    let motion = Motion::from(["c00", "c01", "2*c02"])
+        .jerk("t0", "6*c03", ["c10", "c11", "2*c12"])
+        .jerk("t1", "6*c13", ["c20", "c21", "2*c22"])
+        .jerk("t2", "6*c23", ["P3", "0", "2*c22+6*c23*t2"]);
+    demand_motion(&kernel("waypoints::cubics_at_rest", &results), &motion);
+}
+
+/// Problem (f): the snap of the outer segments is constant.
+#[test]
+fn the_move_of_quartics_closes() {
+    let results = ["c00", "c10", "c20", "c01", "c02", "c11", "c21", "c12", "c22", "c03", "c13", "c23", "c04", "c24"];
+    let motion = Motion::from(["c00", "c01", "2*c02"])
+        .snap("t0", "6*c03", "24*c04", ["c10", "c11", "2*c12"])
+        .jerk("t1", "6*c13", ["c20", "c21", "2*c22"])
+        .snap("t2", "6*c23", "24*c24", ["P3", "0", "0"]);
+    demand_motion(&kernel("waypoints::quartic_cubic_quartic_at_rest", &results), &motion);
 }

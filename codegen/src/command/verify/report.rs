@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::super::eval::decimal;
 use super::super::output;
 use crate::catalogue::Entry;
+use crate::hunt::Bag;
 use crate::measure::{Measurement, Worst, ulp_text};
 use crate::worksheet::hexfloat;
 
@@ -35,6 +36,9 @@ pub struct Row {
     /// Whether the error is nowhere larger than the bound.
     holds: bool,
     seed: u64,
+    /// Of a hunt: the worst error at the inputs that were kept.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    before_ulp: Option<f64>,
     worst: Option<WorstPoint>,
 }
 
@@ -68,16 +72,22 @@ pub fn rows(entry: &Entry, measurement: &Measurement, replay: &Replay) -> Vec<Ro
             points: measurement.covered,
             beyond: measurement.beyond,
             bound_ulp: result.bound,
-            holds: worst.as_ref().zip(result.bound).is_none_or(|(worst, bound)| worst.ulp <= bound),
+            holds: holds(worst.as_ref(), result.bound),
             seed: replay.seed,
+            before_ulp: None,
             worst: worst.as_ref().map(|worst| WorstPoint::new(entry, worst, replay)),
         })
         .collect()
 }
 
+fn holds(worst: Option<&Worst>, bound: Option<f64>) -> bool {
+    worst.zip(bound).is_none_or(|(worst, bound)| worst.ulp <= bound)
+}
+
 /// The table of all rows.
 pub fn text(rows: &[Row], seed: u64) -> String {
-    let mut table = output::table(["kernel", "result", "points", "beyond", "worst ulp", "bound", "worst inputs"]);
+    let mut table =
+        output::table(["kernel", "result", "points", "beyond", "kept", "worst ulp", "bound", "worst inputs"]);
     table.add_rows(rows.iter().map(Row::cells));
     let mut text = format!("{table}\nseed {seed}\n");
     if rows.iter().any(|row| row.beyond > 0) {
@@ -87,18 +97,40 @@ pub fn text(rows: &[Row], seed: u64) -> String {
 }
 
 impl Row {
+    /// One row a result of a hunt; `before` are the worst errors at the inputs that were kept.
+    pub fn hunted(entry: &Entry, before: &[Option<f64>], bag: &Bag, replay: &Replay) -> Vec<Self> {
+        let results = entry.kernel.meta.results.iter().zip(&bag.worst).zip(before);
+        results
+            .map(|((result, worst), before)| {
+                let worst = worst.first();
+                Row {
+                    kernel: entry.full_name(),
+                    result: result.name.to_string(),
+                    points: bag.looked as usize,
+                    beyond: 0,
+                    bound_ulp: result.bound,
+                    holds: holds(worst, result.bound),
+                    seed: replay.seed,
+                    before_ulp: *before,
+                    worst: worst.map(|worst| WorstPoint::new(entry, worst, replay)),
+                }
+            })
+            .collect()
+    }
+
     /// Whether the error is larger than the bound.
     pub fn exceeds(&self) -> bool {
         !self.holds
     }
 
-    fn cells(&self) -> [String; 7] {
+    fn cells(&self) -> [String; 8] {
         let worst = self.worst.as_ref();
         [
             self.kernel.clone(),
             self.result.clone(),
             self.points.to_string(),
             self.beyond.to_string(),
+            self.before_ulp.map_or_else(String::new, ulp_text),
             worst.map_or_else(String::new, |worst| ulp_text(worst.ulp)),
             self.bound_ulp.map_or_else(|| "none".to_owned(), |bound| bound.to_string()),
             worst.map_or_else(String::new, |worst| worst.inputs_text("\n")),

@@ -10,7 +10,7 @@ use thiserror::Error;
 /// The rule.
 pub const RULE: Rule = Rule {
     name: "falling-newton",
-    statement: "x := x - p(x)/p'(x), from an upper bound until it no longer falls, then once with p(x) in double-double",
+    statement: "x := x - p(x)/p'(x), from an upper bound until it no longer falls, then once with p(x) in double-double, or to all digits where terms of one coefficient may cancel",
     condition: "the coefficients of p change sign once on the domain, from negative to positive: one positive root (Descartes)",
 };
 
@@ -43,10 +43,7 @@ pub fn apply(builder: &mut Builder, polynomial: &Polynomial, unknown: Var) -> Re
     builder.stand_for(unknown, start);
     builder.tower.facts.set_variable(unknown, Sign::POSITIVE);
     // the iterate counts as exact here: its residual is what is being computed
-    let (content, wide) = builder.wide(&polynomial)?;
-    let slice = builder.graph.residual(wide);
-    let content = builder.graph.constant(&content);
-    let residual = builder.graph.mul(content, slice);
+    let residual = remainder(builder, &polynomial, &coefficients)?;
     let slope = slope(builder, &coefficients, unknown, turn)?;
     let ratio = builder.graph.div(residual, slope);
     let step = builder.graph.mul(start, ratio);
@@ -58,6 +55,16 @@ pub fn apply(builder: &mut Builder, polynomial: &Polynomial, unknown: Var) -> Re
 /// The relative error after the correction, in units of 2^-53: the subtraction's rounding, and a correction of at most
 /// some hundred units that is itself right to a few units in 2^-40.
 const CORRECTED: f64 = 1.0 + 0.01;
+
+/// The polynomial at the iterate. Powers of the iterate cancel by no more than double-double holds, since the root is well
+/// conditioned; the terms of one coefficient may cancel by more.
+fn remainder(builder: &mut Builder, polynomial: &Polynomial, coefficients: &[Polynomial]) -> Result<Node, TowerError> {
+    let (content, wide) = builder.wide(polynomial)?;
+    let may_cancel = coefficients.iter().any(|c| c.terms().len() > 1 && !builder.tower.facts.terms_agree(c));
+    let slice = if may_cancel { builder.graph.compensated(wide, Sign::ANY) } else { builder.graph.residual(wide) };
+    let content = builder.graph.constant(&content);
+    Ok(builder.graph.mul(content, slice))
+}
 
 /// The polynomial, or its negative, so that the highest coefficient is positive.
 fn oriented(builder: &Builder, polynomial: &Polynomial, unknown: Var) -> Polynomial {

@@ -1,0 +1,193 @@
+//! The check: every result's bound as derived, held against the one that is stated.
+
+use crate::count::{Counter, integer};
+use crate::forms::number;
+use crate::refusal::{Reason, Refusal, TextError};
+use closedform_syntax::Kernel;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+/// A proved bound.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ResultBound {
+    /// The kernel.
+    pub kernel: String,
+    /// The result.
+    pub result: String,
+    /// The count of its roundings: its relative error in units of 2^-53.
+    pub units: BigRational,
+    /// The bound in ulp, rounded up to a hundredth.
+    pub ulp: f64,
+    /// As stated.
+    pub stated: f64,
+}
+
+/// The bounds of a kernel's results, derived from its text and equal to those stated: not smaller, and larger by their
+/// rounding up at most.
+///
+/// # Errors
+/// One refusal for every result whose bound cannot be derived or is not the one stated.
+pub fn check(kernel: &Kernel) -> Result<Vec<ResultBound>, Vec<Refusal>> {
+    let counter = Counter::new(kernel);
+    let cases = counter.domain();
+    let mut bounds = Vec::new();
+    let mut refusals = Vec::new();
+    for (value, meta) in kernel.output.values().zip(&kernel.meta.results) {
+        let result = meta.name.to_string();
+        let counts = cases.iter().map(|case| counter.count(value, case, &result));
+        let worst = counts.reduce(|a, b| Ok(a?.max(b?))).unwrap_or_else(|| Ok(BigRational::zero()));
+        let bound = worst.and_then(|units| held(&kernel.name.to_string(), result, units, meta.bound));
+        match bound {
+            Ok(bound) => bounds.push(bound),
+            Err(refusal) => refusals.push(refusal),
+        }
+    }
+    if refusals.is_empty() { Ok(bounds) } else { Err(refusals) }
+}
+
+/// The bounds of every kernel of a source file.
+///
+/// # Errors
+/// What keeps the text from being read, or every refusal.
+pub fn check_text(text: &str) -> Result<Vec<ResultBound>, TextError> {
+    let kernels = closedform_syntax::parse_file(text).map_err(|cause| TextError::Unreadable(cause.to_string()))?;
+    let (mut bounds, mut refusals) = (Vec::new(), Vec::new());
+    for kernel in &kernels {
+        match check(kernel) {
+            Ok(more) => bounds.extend(more),
+            Err(more) => refusals.extend(more),
+        }
+    }
+    if refusals.is_empty() { Ok(bounds) } else { Err(TextError::Refused(refusals)) }
+}
+
+/// How much larger than the derived bound the stated one may be, in ulp: both are rounded up to a hundredth.
+fn slack() -> BigRational {
+    BigRational::new(1.into(), 100.into())
+}
+
+fn held(kernel: &str, result: String, units: BigRational, stated: Option<f64>) -> Result<ResultBound, Refusal> {
+    let bound = in_ulp(&units);
+    let printed = rounded_up(&bound);
+    let derived = printed.to_f64().unwrap_or(f64::INFINITY);
+    let refused = |reason| Refusal { kernel: kernel.to_owned(), step: result.clone(), reason };
+    let Some(stated) = stated else { return Err(refused(Reason::Unstated { derived })) };
+    if hundredths(stated) < bound {
+        return Err(refused(Reason::Understated { stated, derived }));
+    }
+    if hundredths(stated) > printed + slack() {
+        return Err(refused(Reason::Overstated { stated, derived }));
+    }
+    Ok(ResultBound { kernel: kernel.to_owned(), result, units, ulp: derived, stated })
+}
+
+/// A count as a bound in ulp.
+///
+/// A relative error of k units is at most k ulp. Where the last operation rounds a value that is right to less than a
+/// quarter of a unit, that rounding is at most half an ulp of the exact value, whose neighbour beyond a power of two it
+/// cannot reach.
+fn in_ulp(units: &BigRational) -> BigRational {
+    let single = *units < BigRational::new(5.into(), 4.into());
+    let bound = if single { units - BigRational::new(1.into(), 2.into()) } else { units.clone() };
+    if bound.is_negative() { BigRational::zero() } else { bound }
+}
+
+fn rounded_up(bound: &BigRational) -> BigRational {
+    (bound * integer(100)).ceil() / integer(100)
+}
+
+/// The decimal that a number of two digits after the point was before it became binary; other numbers as they are.
+fn hundredths(stated: f64) -> BigRational {
+    let rounded = (number(stated) * integer(100)).round() / integer(100);
+    if rounded.to_f64() == Some(stated) { rounded } else { number(stated) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The bound of a kernel with these conditions and this body, or what is refused.
+    fn bound(conditions: &str, body: &str) -> Result<f64, String> {
+        let text = format!("#[kernel(bound = 0)]\npub fn f(x: f64, y: f64, z: f64) -> f64 {{ {conditions} {body} }}");
+        let kernels = closedform_syntax::parse_file(&text).map_err(|error| error.to_string())?;
+        let Err(refusals) = check(&kernels[0]) else { return Ok(0.0) };
+        match &refusals[..] {
+            [Refusal { reason: Reason::Understated { derived, .. }, .. }] => Ok(*derived),
+            other => Err(other.iter().map(ToString::to_string).collect()),
+        }
+    }
+
+    const POSITIVE: &str = "require!(x > 0.0); require!(y > 0.0); require!(z > 0.0);";
+
+    #[test]
+    fn operations_count_as_they_round() {
+        let counts = [
+            ("x", 0.0),
+            ("-x", 0.0),
+            ("2.0 * x", 0.0),
+            ("x / 8.0", 0.0),
+            ("8.0 / x", 0.5),
+            ("3.0 * x", 0.5),
+            ("x - y", 0.5),
+            ("x * y * z", 2.0),
+            ("x * y / z", 2.0),
+            ("sqrt(x)", 0.5),
+            ("sqrt(x * y)", 1.5),
+            ("abs(x * y)", 0.5),
+            ("PI * x", 2.0),
+            ("x * y + z", 2.0),
+            ("x * y + y * z", 2.0),
+            ("(x * y + z) * (x - y)", 4.0),
+            ("compensated!(x * y - z)", 0.51),
+            ("compensated!(x * y - z) * x", 2.01),
+            ("if x > y { x * y } else { x * y * z }", 2.0),
+            ("positive_root([-x, 0.0, y])", 0.51),
+        ];
+        for (body, expected) in counts {
+            assert_eq!(bound(POSITIVE, body), Ok(expected), "{body}");
+        }
+    }
+
+    #[test]
+    fn signs_come_from_conditions_that_rounding_cannot_turn() {
+        let body = "x * y - z";
+        assert!(bound(POSITIVE, body).is_err());
+        let needs = |condition: &str| bound(&format!("{POSITIVE} {condition}"), "x * (x - y) + z * (x - y)");
+        assert!(needs("").unwrap_err().contains("may cancel"));
+        assert_eq!(needs("require!(x >= y);"), Ok(3.0));
+        assert_eq!(needs("require!(!(x < y));"), Ok(3.0));
+        assert_eq!(needs("require!(x >= y || z > x && x >= y);"), Ok(3.0));
+        assert_eq!(needs("require!(compensated!(x * x - x * y) > 0.0);"), Ok(3.0));
+        assert!(needs("require!(x * x > y * y);").is_err(), "rounding may turn it");
+        assert!(needs("require!(x >= y || z > x);").is_err());
+        assert!(needs("require!(x >= 0.5 * y);").is_err());
+    }
+
+    #[test]
+    fn branches_use_their_conditions() {
+        let body = "if x >= y { z * z + (x - y) * z } else { z * z + (y - x) * z }";
+        assert_eq!(bound(POSITIVE, body), Ok(3.0));
+        assert!(bound(POSITIVE, &body.replace("x >= y", "y >= x")).is_err());
+        let by_step = "let d = x - y; let e = if d >= 0.0 { d * z } else { -d * z }; z * z + e";
+        assert_eq!(bound(POSITIVE, by_step), Ok(3.0));
+        assert!(bound(POSITIVE, &by_step.replace("-d * z", "d * z")).is_err());
+    }
+
+    #[test]
+    fn roots_and_quotients_are_atoms_of_known_sign() {
+        assert_eq!(bound("require!(x > 0.0);", "let r = sqrt(x * x + y * y); r * x + x"), Ok(4.0));
+        assert_eq!(bound(POSITIVE, "x + x / (y + z)"), Ok(3.0));
+        assert!(bound(POSITIVE, "x + x / (y - z)").is_err());
+        assert!(bound("require!(x > 0.0);", "let r = sqrt(x * x + y * y); r * x + y").is_err());
+    }
+
+    #[test]
+    fn bounds_are_rounded_up() {
+        let printed = |thousandths: i64| {
+            rounded_up(&in_ulp(&BigRational::new(thousandths.into(), 1000.into()))).to_f64().unwrap_or(f64::NAN)
+        };
+        assert_eq!([0, 1000, 1001, 1249, 1250, 2001, 4000].map(printed), [0.0, 0.5, 0.51, 0.75, 1.25, 2.01, 4.0]);
+        assert_eq!(hundredths(8.01), BigRational::new(801.into(), 100.into()));
+        assert!(hundredths(8.0099) < BigRational::new(801.into(), 100.into()));
+    }
+}

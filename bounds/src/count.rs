@@ -1,0 +1,256 @@
+//! Counting roundings, each sum on condition that it does not cancel.
+
+use crate::case::{CASES, Case, alternatives};
+use crate::correction;
+use crate::forms::{Forms, Meaning};
+use crate::polynomial::{Atom, Polynomial};
+use crate::refusal::{Reason, Refusal};
+use crate::sign::Sign;
+use crate::text::text;
+use crate::trusted;
+use closedform_syntax::{BinaryOp, Condition, Expr, Kernel};
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+
+/// A count of roundings, or why there is none.
+pub type Count = Result<BigRational, Refusal>;
+
+/// How long a sign is searched for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Effort {
+    /// Not long: there are other ways to it.
+    Brief,
+    /// As long as it may help.
+    Full,
+}
+
+/// Counts in one kernel.
+pub struct Counter<'k> {
+    pub(crate) kernel: &'k Kernel,
+    pub(crate) forms: Forms<'k>,
+}
+
+impl<'k> Counter<'k> {
+    /// Nothing counted yet.
+    pub fn new(kernel: &'k Kernel) -> Self {
+        Self { kernel, forms: Forms::new(kernel) }
+    }
+
+    pub(crate) fn refuse<T>(&self, step: &str, reason: Reason) -> Result<T, Refusal> {
+        Err(Refusal { kernel: self.kernel.name.to_string(), step: step.to_owned(), reason })
+    }
+
+    /// The cases of the whole domain.
+    pub fn domain(&self) -> Vec<Case> {
+        let requires = self.kernel.requires.iter();
+        let cases = requires.fold(vec![Case::default()], |cases, require| {
+            let split: Vec<Case> = cases.iter().flat_map(|case| self.cases(&require.condition, true, case)).collect();
+            if split.len() > CASES { cases } else { split }
+        });
+        cases.iter().for_each(|case| case.facts.borrow_mut().settle_atoms());
+        cases
+    }
+
+    /// The cases of one where a condition holds, or where it does not.
+    fn cases(&self, condition: &'k Condition, holds: bool, case: &Case) -> Vec<Case> {
+        let compare = |condition: &'k Condition| self.decided(condition, case);
+        case.split(&alternatives(condition, holds, &compare))
+    }
+
+    /// The difference that a comparison compares with zero, if rounding cannot turn its result: both sides are exact, or
+    /// one is zero and the other one not off by all of its digits.
+    fn decided(&self, condition: &'k Condition, case: &Case) -> Option<Polynomial> {
+        let Condition::Compare { left, right, .. } = condition else { return None };
+        let (a, b) = (self.count(left, case, "require").ok()?, self.count(right, case, "require").ok()?);
+        let (left, right) = (self.forms.of(left), self.forms.of(right));
+        let decided = a.is_zero() && b.is_zero() || left.is_zero() || right.is_zero();
+        let difference = left.minus(&right);
+        self.learn_atoms(&difference, case);
+        decided.then_some(difference)
+    }
+
+    /// The count of an expression, met in this step.
+    pub fn count(&self, expr: &'k Expr, case: &Case, step: &str) -> Count {
+        match expr {
+            Expr::Literal { .. } => Ok(BigRational::zero()),
+            Expr::Name(name) => self.count_name(name.slot, case),
+            Expr::Pi(_) => Ok(BigRational::one()),
+            Expr::Neg(inner) | Expr::Abs(inner) => self.count(inner, case, step),
+            Expr::Sqrt(inner) => Ok(self.count(inner, case, step)? / integer(2) + integer(1)),
+            Expr::Binary { op: BinaryOp::Add | BinaryOp::Sub, left, right } => {
+                match correction::of(self, expr, case, step) {
+                    Some(count) => count,
+                    None => self.count_sum(expr, (left, right), case, step),
+                }
+            }
+            Expr::Binary { op, left, right } => self.count_product(*op, (left, right), case, step),
+            Expr::If { condition, then, otherwise } => {
+                let then = self.count_branch(self.cases(condition, true, case), then, step)?;
+                Ok(then.max(self.count_branch(self.cases(condition, false, case), otherwise, step)?))
+            }
+            Expr::Extreme { items, .. } => self.count_worst(items, case, step),
+            Expr::Compensated(slice) => self.count_compensated(expr, &slice.operands, case, step),
+            Expr::Residual(_) => self.refuse(step, Reason::Residual(text(expr))),
+            Expr::PositiveRoot(coefficients) => {
+                let worst = self.count_worst(coefficients, case, step)?;
+                Ok(worst * integer(2) + trusted::positive_root())
+            }
+        }
+    }
+
+    fn count_name(&self, slot: usize, case: &Case) -> Count {
+        let Some(value) = self.forms.step(slot) else { return Ok(BigRational::zero()) };
+        if let Some(known) = case.counts.borrow().get(&slot) {
+            return known.clone();
+        }
+        let name = self.kernel.lets[slot - self.kernel.inputs.len()].name.to_string();
+        let count = self.count(value, case, &name);
+        case.counts.borrow_mut().insert(slot, count.clone());
+        count
+    }
+
+    /// The worst count of some expressions.
+    pub(crate) fn count_worst(&self, values: &'k [Expr], case: &Case, step: &str) -> Count {
+        values.iter().try_fold(BigRational::zero(), |worst, value| Ok(worst.max(self.count(value, case, step)?)))
+    }
+
+    fn count_branch(&self, cases: Vec<Case>, value: &'k Expr, step: &str) -> Count {
+        cases.iter().try_fold(BigRational::zero(), |worst, case| Ok(worst.max(self.count(value, case, step)?)))
+    }
+
+    fn count_sum(&self, sum: &'k Expr, (left, right): (&'k Expr, &'k Expr), case: &Case, step: &str) -> Count {
+        let worst = self.count(left, case, step)?.max(self.count(right, case, step)?);
+        if worst.is_zero() {
+            return Ok(integer(1));
+        }
+        let (a, b) = (self.sign(left, case), self.sign(right, case));
+        let b_as_added = if matches!(sum, Expr::Binary { op: BinaryOp::Sub, .. }) { b.negated() } else { b };
+        if a.plus(b_as_added).is_definite() || case.facts.borrow().are_contradictory() {
+            return Ok(worst + integer(1));
+        }
+        self.refuse(step, Reason::may_cancel(text(sum), a, b_as_added))
+    }
+
+    fn count_product(&self, op: BinaryOp, (left, right): (&'k Expr, &'k Expr), case: &Case, step: &str) -> Count {
+        let sum = self.count(left, case, step)? + self.count(right, case, step)?;
+        let scales = |factor| self.is_power_of_two(factor);
+        let exact = scales(right) || op == BinaryOp::Mul && scales(left);
+        Ok(if exact { sum } else { sum + integer(1) })
+    }
+
+    fn is_power_of_two(&self, factor: &'k Expr) -> bool {
+        match self.forms.resolved(factor) {
+            Expr::Neg(inner) => self.is_power_of_two(inner),
+            Expr::Literal { value, .. } => {
+                let value = crate::forms::number(*value);
+                let one_bit = |n: &num_bigint::BigInt| n.magnitude().count_ones() == 1;
+                one_bit(value.numer()) && one_bit(value.denom())
+            }
+            _ => false,
+        }
+    }
+
+    fn count_compensated(&self, slice: &'k Expr, operands: &'k [Expr], case: &Case, step: &str) -> Count {
+        for operand in operands {
+            if !self.count(operand, case, step)?.is_zero() {
+                return self.refuse(step, Reason::Rounded { slice: text(slice), operand: text(operand) });
+            }
+        }
+        Ok(trusted::compensated())
+    }
+
+    /// The sign of an expression: from the signs of its parts as they are written, or from its form.
+    pub(crate) fn sign(&self, expr: &'k Expr, case: &Case) -> Sign {
+        let brief = self.sign_with(expr, case, Effort::Brief);
+        if brief.is_definite() { brief } else { brief.and(self.sign_with(expr, case, Effort::Full)) }
+    }
+
+    fn sign_with(&self, expr: &'k Expr, case: &Case, effort: Effort) -> Sign {
+        let form = self.forms.of(expr);
+        self.learn_atoms(&form, case);
+        let direct = case.facts.borrow().direct(&form);
+        let sign = direct.and(self.sign_as_written(expr, case, effort));
+        if sign.is_definite() { sign } else { sign.and(self.search(&form, case, effort)) }
+    }
+
+    fn sign_as_written(&self, expr: &'k Expr, case: &Case, effort: Effort) -> Sign {
+        let part = |inner| self.sign_with(inner, case, effort);
+        let term = |inner| self.sign_with(inner, case, Effort::Brief);
+        match expr {
+            Expr::Neg(inner) => part(inner).negated(),
+            Expr::Binary { op: BinaryOp::Add, left, right } => term(left).plus(term(right)),
+            Expr::Binary { op: BinaryOp::Sub, left, right } => term(left).plus(term(right).negated()),
+            Expr::Binary { op: BinaryOp::Mul, left, right } if self.forms.of(left) == self.forms.of(right) => {
+                part(left).power(2)
+            }
+            Expr::Binary { left, right, .. } => part(left).times(part(right)),
+            Expr::Compensated(slice) => part(&slice.value),
+            Expr::Name(name) => self.forms.step(name.slot).map_or(Sign::ANY, part),
+            _ => Sign::ANY,
+        }
+    }
+
+    /// The sign of a polynomial.
+    pub(crate) fn sign_of_form(&self, form: &Polynomial, case: &Case) -> Sign {
+        self.learn_atoms(form, case);
+        let brief = self.search(form, case, Effort::Brief);
+        if brief.is_definite() { brief } else { brief.and(self.search(form, case, Effort::Full)) }
+    }
+
+    fn search(&self, form: &Polynomial, case: &Case, effort: Effort) -> Sign {
+        if let Some((known, spent)) = case.signs.borrow().get(form)
+            && (known.is_definite() || *spent >= effort)
+        {
+            return *known;
+        }
+        let sign = match effort {
+            Effort::Brief => case.facts.borrow().brief_sign(form),
+            Effort::Full => case.facts.borrow().sign(form),
+        };
+        case.signs.borrow_mut().insert(form.clone(), (sign, effort));
+        sign
+    }
+
+    fn learn_atoms(&self, form: &Polynomial, case: &Case) {
+        form.atoms().into_iter().for_each(|atom| self.learn_atom(atom, case));
+    }
+
+    /// Makes a case know the sign of an atom, from what it stands for.
+    fn learn_atom(&self, atom: Atom, case: &Case) {
+        if !case.learnt.borrow_mut().insert(atom) {
+            return;
+        }
+        let sign = self.sign_of_meaning(&self.forms.meaning(atom), case);
+        case.facts.borrow_mut().set_atom(atom, sign);
+    }
+
+    fn sign_of_meaning(&self, meaning: &Meaning<'k>, case: &Case) -> Sign {
+        match meaning {
+            Meaning::Input => Sign::ANY,
+            Meaning::Pi => Sign::POSITIVE,
+            Meaning::Root(inner) => self.sign_of_form(inner, case).and(Sign::NONNEGATIVE),
+            Meaning::Magnitude(inner) => self.sign_of_form(inner, case).power(2),
+            Meaning::Quotient(a, b) => self.sign_of_form(a, case).times(self.sign_of_form(b, case)),
+            Meaning::Opaque(Expr::PositiveRoot(_)) => Sign::POSITIVE,
+            Meaning::Opaque(Expr::If { condition, then, otherwise }) => {
+                let then = self.cases(condition, true, case).into_iter().map(|case| self.sign(then, &case));
+                let otherwise = self.cases(condition, false, case).into_iter().map(|case| self.sign(otherwise, &case));
+                then.chain(otherwise).reduce(Sign::or).unwrap_or(Sign::ANY)
+            }
+            Meaning::Opaque(Expr::Extreme { items, .. }) => {
+                items.iter().map(|item| self.sign(item, case)).reduce(Sign::or).unwrap_or(Sign::ANY)
+            }
+            Meaning::Opaque(_) => Sign::ANY,
+        }
+    }
+}
+
+/// An integer.
+pub(crate) fn integer(value: i64) -> BigRational {
+    BigRational::from_integer(value.into())
+}
+
+/// Whether a count is within a limit.
+pub(crate) fn within(count: &BigRational, limit: i64) -> bool {
+    !count.is_negative() && *count <= integer(limit)
+}

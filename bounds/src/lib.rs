@@ -1,0 +1,28 @@
+//! Error bounds of kernels, derived from their Rust text alone and held against those they state.
+//!
+//! [`check`] takes a kernel as `closedform-syntax` reads it, shows for every sum that its terms have one sign on the
+//! domain, or are exact, and counts roundings. It shares no code with the generator.
+//!
+//! **What is proved.** With u = 2^-53, a value of count k is the exact one times a factor between (1-u)^k and
+//! (1-u)^-k, for all inputs of the domain at which nothing overflows, underflows or is the root of a negative number.
+//! This is Stewart's and Higham's relative error counter, and it has no terms of higher order to neglect: a rounding adds
+//! 1, products and quotients add the counts of their operands, a square root halves it, and a sum of terms of one sign has
+//! the larger one. What remains is to read it as a relative error: it is at most k u/(1 - k u), k units for all that can
+//! be printed. The number that a kernel states is that in ulp, of which k units are at most k.
+//!
+//! **What is taken on trust.** The numbers in [`trusted`]: what the runtime promises of `compensated!`, `residual!` and
+//! `positive_root`, which its own tests judge.
+
+mod case;
+mod check;
+mod correction;
+mod count;
+mod forms;
+mod polynomial;
+mod refusal;
+mod sign;
+mod text;
+pub mod trusted;
+
+pub use check::{ResultBound, check, check_text};
+pub use refusal::{Reason, Refusal, TextError};

@@ -1,0 +1,130 @@
+//! Why a bound is not proved.
+
+use crate::sign::Sign;
+use std::fmt;
+
+/// A bound that is not proved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refusal {
+    /// The kernel.
+    pub kernel: String,
+    /// The step or the result where the derivation ends.
+    pub step: String,
+    /// Why.
+    pub reason: Reason,
+}
+
+/// What is not proved.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Reason {
+    /// A sum of rounded terms that may have opposite signs.
+    MayCancel {
+        /// The sum.
+        sum: String,
+        /// What is known of its terms.
+        signs: String,
+    },
+    /// A slice with an operand that is not exact.
+    Rounded {
+        /// The slice.
+        slice: String,
+        /// The operand.
+        operand: String,
+    },
+    /// A `residual!` that corrects no root.
+    Residual(String),
+    /// A root's correction that is none, or not shown to be right.
+    Correction {
+        /// The correction.
+        correction: String,
+        /// What is wrong.
+        cause: &'static str,
+    },
+    /// The stated bound is smaller than what is proved.
+    Understated {
+        /// As stated.
+        stated: f64,
+        /// As derived.
+        derived: f64,
+    },
+    /// The stated bound is larger than what is proved.
+    Overstated {
+        /// As stated.
+        stated: f64,
+        /// As derived.
+        derived: f64,
+    },
+    /// No bound is stated.
+    Unstated {
+        /// As derived.
+        derived: f64,
+    },
+}
+
+impl Reason {
+    pub(crate) fn may_cancel(sum: String, left: Sign, right: Sign) -> Self {
+        Self::MayCancel { sum, signs: format!("the left one is {left}, the right one {right}") }
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "kernel `{}`, `{}`: {}", self.kernel, self.step, self.reason)
+    }
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::MayCancel { sum, signs } => write!(
+                f,
+                "`{sum}` may cancel: its terms are rounded and not shown to have one sign ({signs}); write it as \
+                 `compensated!`, or require the sign that it needs"
+            ),
+            Self::Rounded { slice, operand } => write!(
+                f,
+                "`{slice}` takes `{operand}` for exact, which is rounded; write it out in inputs and literals"
+            ),
+            Self::Residual(residual) => write!(
+                f,
+                "`{residual}` has no bound of its own: use it to correct a `positive_root`, or write `compensated!`"
+            ),
+            Self::Correction { correction, cause } => {
+                write!(f, "`{correction}` is no proved correction of a root: {cause}")
+            }
+            Self::Understated { stated, derived } => {
+                write!(f, "the bound is stated as {stated} ulp, and {derived} ulp is what can be proved")
+            }
+            Self::Overstated { stated, derived } => {
+                write!(f, "the bound is stated as {stated} ulp, and it can be proved to be {derived} ulp: state that")
+            }
+            Self::Unstated { derived } => write!(f, "no bound is stated; it can be proved to be {derived} ulp"),
+        }
+    }
+}
+
+impl std::error::Error for Refusal {}
+
+/// Why the bounds of a source file are not proved.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TextError {
+    /// It holds what is no kernel language, or no Rust.
+    Unreadable(String),
+    /// These bounds are refused.
+    Refused(Vec<Refusal>),
+}
+
+impl fmt::Display for TextError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unreadable(cause) => f.write_str(cause),
+            Self::Refused(refusals) => {
+                let refusals: Vec<String> = refusals.iter().map(ToString::to_string).collect();
+                f.write_str(&refusals.join("\n"))
+            }
+        }
+    }
+}
+
+impl std::error::Error for TextError {}

@@ -1,0 +1,42 @@
+//! What the forms of a result cost, in additions: counted, so that a cost changes only with the form.
+//!
+//! Divisions and roots weigh what they take on current 64-bit processors beside an addition, when nothing waits for them;
+//! an operation in double-double what its own operations do. Iterations weigh as their usual number of steps. What a
+//! machine really takes is measured by `cargo bench -p closedform-tests --bench ratios`.
+
+use closedform_maxima::{Expr, double_operations};
+use closedform_syntax::Operations;
+
+/// A division, and a square root.
+const DIVISION: u32 = 8;
+const ROOT: u32 = 10;
+
+/// The operations of double-double: addition, multiplication, division, square root.
+const WIDE: [u32; 4] = [20, 9, 16 + 2 * DIVISION, 9 + DIVISION + ROOT];
+
+/// An operation inside a slice: the mean of its kinds, exact operands or not, with the size kept beside it.
+const IN_SLICE: u32 = 12;
+
+/// A falling iteration: about a dozen steps through a polynomial of degree four and its derivative, each with a division.
+const ITERATION: u32 = 12 * (2 * 2 * 4 + DIVISION);
+
+/// The plain call.
+pub(super) fn plain(count: &Operations) -> u32 {
+    count.add + count.mul + DIVISION * count.div + ROOT * count.sqrt + inner(count)
+}
+
+/// The faithful call, where nothing over- or underflows.
+pub(super) fn faithful(count: &Operations) -> u32 {
+    let [add, mul, div, sqrt] = WIDE;
+    add * count.add + mul * count.mul + div * count.div + sqrt * count.sqrt + inner(count)
+}
+
+/// The formula as it is written; `None` where it has no such form.
+pub(super) fn naive(formula: &Expr) -> Option<u32> {
+    let count = double_operations(formula)?;
+    Some(count.add + count.mul + DIVISION * count.div + ROOT * count.sqrt)
+}
+
+fn inner(count: &Operations) -> u32 {
+    IN_SLICE * count.compensated + ITERATION * count.root
+}

@@ -1,0 +1,168 @@
+//! Every kernel's stated bound is what its Rust text proves, and a doctored text is refused.
+
+use closedform_bounds::check_text;
+use closedform_tests::{bounds, kernels};
+
+#[test]
+fn every_bound_is_derived_from_the_text() {
+    let mut proved = Vec::new();
+    let mut refused = Vec::new();
+    for (family, checked) in bounds::all() {
+        match checked {
+            Ok(more) => proved.extend(more.into_iter().map(|bound| (format!("{family}::{}", bound.kernel), bound))),
+            Err(error) => refused.push(format!("{family}: {error}")),
+        }
+    }
+    assert!(refused.is_empty(), "\n{}", refused.join("\n"));
+    let linked: Vec<(&str, &str, Option<f64>)> = kernels::all()
+        .flat_map(|kernel| kernel.info.results.iter().map(|result| (kernel.info.name, result.name, result.bound_ulp)))
+        .collect();
+    let derived: Vec<(&str, &str, Option<f64>)> =
+        proved.iter().map(|(kernel, bound)| (kernel.as_str(), bound.result.as_str(), Some(bound.ulp))).collect();
+    assert_eq!(derived, linked, "what is proved is not what users link");
+}
+
+/// Kernel, what is changed in it to what, and what must be said.
+type Case = (&'static str, &'static str, &'static str, &'static str, &'static [&'static str]);
+
+fn refuse(cases: &[Case]) {
+    for (family, kernel, from, to, expected) in cases {
+        let said = bounds::refusal(family, kernel, from, to);
+        assert!(said.contains(&format!("kernel `{kernel}`")), "{said}");
+        for text in *expected {
+            assert!(
+                said.contains(text),
+                "`{from}` as `{to}` in `{family}::{kernel}`: {text:?} is not said in:\n{said}"
+            );
+        }
+    }
+}
+
+#[test]
+fn wrong_bounds_are_refused() {
+    refuse(&[
+        ("turnaround", "t_in", "bound = 8.01", "bound = 7.01", &["`t_in`", "7.01 ulp", "8.01 ulp is what"]),
+        ("turnaround", "t_in", "bound = 8.01", "bound = 8.0", &["stated as 8 ulp"]),
+        ("turnaround", "t_in", "bound = 8.01", "bound = 8.04", &["stated as 8.04 ulp", "to be 8.01 ulp"]),
+        ("turnaround", "t_in", "bound = 8.01,", "", &["no bound is stated", "8.01 ulp"]),
+        ("turnaround", "ramp_in", "v2_in = 0.5", "v2_in = 0.4", &["`v2_in`", "0.5 ulp is what"]),
+        ("waypoints", "linear", "c01 = 2.0", "c01 = 1.0", &["`c01`", "2 ulp is what"]),
+        ("optimum", "quartic", "bound = 0.51", "bound = 0.5", &["0.51 ulp is what"]),
+    ]);
+}
+
+#[test]
+fn sums_that_may_cancel_are_refused() {
+    const CANCELS: &str = "may cancel";
+    refuse(&[
+        (
+            "turnaround",
+            "t_in",
+            "product + 3.0 * t_edge",
+            "product - 3.0 * t_edge",
+            &["`sum`", CANCELS, "product - 3.0"],
+        ),
+        ("turnaround", "t_in", "(root + 3.0", "(root - 3.0", &["`t_in`", CANCELS, "the right one not positive"]),
+        ("turnaround", "inner_ramp", "t0 + quotient", "t0 - quotient", &["`k`", CANCELS]),
+        ("milling_time", "direction", "x * x + ", "x * y + ", &["`root`", CANCELS, "open"]),
+        ("overhead", "t_edge", "4.0 * v1_scan - v1_diff", "v1_scan - 4.0 * v1_diff", &["`t_edge`", CANCELS, "open"]),
+        ("overhead", "step_limited", "4.0 * difference", "4.0 * v1_diff - 3.0 * v1_scan", &["`sum`", CANCELS]),
+    ]);
+}
+
+#[test]
+fn dropped_compensation_is_refused() {
+    refuse(&[
+        (
+            "turnaround",
+            "outer_ramp",
+            "let cancelling = compensated!(",
+            "let cancelling = (",
+            &["`cancelling`", "may cancel"],
+        ),
+        (
+            "turnaround",
+            "outer_ramp",
+            "0.5 * a0 * quotient",
+            "compensated!(a0 * quotient)",
+            &["`v0`", "takes `quotient` for exact"],
+        ),
+    ]);
+}
+
+#[test]
+fn dropped_conditions_are_refused() {
+    refuse(&[
+        ("turnaround", "ramp_out", "require!(t_in > 0.0, \"tIn > 0\");", "", &["`d2_out`", "may cancel"]),
+        (
+            "turnaround",
+            "t_in",
+            "require!(t_edge_total >= 0.0",
+            "require!(t_edge_total <= 0.0",
+            &["`sum`", "may cancel"],
+        ),
+        ("fly_axis", "d1_in", "require!(v1_scan > v1_diff, \"v1Scan > v1Diff\");", "", &["`d1_in`", "may cancel"]),
+        ("step_move", "symmetric_frame", "require!(1.0 > ki, \"Ki < 1\");", "", &["`kx1`", "may cancel"]),
+        ("milling_time", "step_speed", "if u >= 0.0", "if u <= 0.0", &["`step_speed`", "root + u", "may cancel"]),
+        ("milling_time", "step_speed", "if u >= 0.0", "if a >= 0.0", &["`step_speed`", "root + u", "may cancel"]),
+        ("pvt", "arrival_first", "difference2 >= 0.0) ||", "difference2 <= 0.0) ||", &["`a1`", "may cancel"]),
+    ]);
+}
+
+#[test]
+fn more_roundings_are_refused() {
+    refuse(&[
+        ("turnaround", "t_in", "2.0 * cancelling /", "3.0 * cancelling /", &["`t_in`", "9.01 ulp is what"]),
+        ("milling_time", "cut_time", "2.0 * root", "root / 3.0", &["`cut_time`", "3 ulp is what"]),
+        ("milling_time", "step_time", "length / speed", "length * (1.0 / speed)", &["`step_time`", "2 ulp is what"]),
+        (
+            "turnaround",
+            "t_in_of_d2_in",
+            "sqrt(6.0 * d2_in / a2_max)",
+            "sqrt(6.0 * d2_in) / sqrt(a2_max)",
+            &["3.5 ulp is what"],
+        ),
+    ]);
+}
+
+#[test]
+fn wrong_corrections_of_roots_are_refused() {
+    refuse(&[
+        ("optimum", "quartic", "2.0 * qa * start", "3.0 * qa * start", &["`quartic`", "the divisor is not the sum"]),
+        ("optimum", "quartic", "+ qc) - qd", "- qc) - qd", &["the remainder is not the polynomial"]),
+        ("optimum", "quartic", "require!(qd > 0.0, \"qd > 0\");", "", &["`quartic`"]),
+        (
+            "optimum",
+            "quartic",
+            "start - start * (remainder",
+            "start + start * (remainder",
+            &["`remainder`", "no bound of its own"],
+        ),
+        ("optimum", "t_i", "cancelling2 = compensated!", "cancelling2 = residual!", &["`t_i`", "write `compensated!`"]),
+        (
+            "optimum",
+            "t_in",
+            "cancelling2 = compensated!",
+            "cancelling2 = residual!",
+            &["`t_in`", "write `compensated!`"],
+        ),
+    ]);
+}
+
+/// Where the residual of t_i in double-double was off by more than the last digit: 8*v^2 cancels against 3*a^2*delta.
+#[test]
+fn roots_keep_their_bound_where_a_coefficient_cancels() {
+    let judge = kernels::judge_of("optimum::t_i");
+    for point in [
+        [1.591153435001304, 1.1022271581100482, 1e-35, 1.27963710888946],
+        [1.4327670679050533, 1.7622800824579419, 1e-60, 4.0342928119081245],
+    ] {
+        judge.errors(&point, "the residual cancels").unwrap_or_else(|failure| panic!("{failure}"));
+    }
+}
+
+#[test]
+fn what_is_no_kernel_is_no_proof() {
+    assert!(check_text("#[kernel]\npub fn f(x: f64) -> f64 { x.sin() }").is_err());
+    assert_eq!(check_text("fn f() {}"), Ok(Vec::new()));
+}
