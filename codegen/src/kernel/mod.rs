@@ -12,7 +12,7 @@ use crate::program::{Node, name_steps};
 use crate::rust::{InputDoc, KernelText, RequireText, ResultText};
 use crate::stable::builder::Builder;
 use crate::stable::rules::falling_newton::{self, RootError};
-use crate::stable::rules::one_reciprocal;
+use crate::stable::rules::{gathered, one_reciprocal};
 use crate::stable::stabilise;
 use crate::worksheet::contract::{Contract, KernelContract};
 use closedform_maxima::{Definition, print, to_latex};
@@ -71,7 +71,8 @@ pub fn make(
         .map(|reference| lower(&reference.body))
         .collect::<Result<_, _>>()
         .map_err(KernelError::Lower)?;
-    let mut outputs = outputs(&mut builder, &expressions, references)?;
+    let outputs = outputs(&mut builder, &expressions, references)?;
+    let mut outputs = gathered::apply(&mut builder, &outputs);
     if kernel.one_division {
         outputs = one_reciprocal::apply(&mut builder, &outputs);
     }

@@ -373,6 +373,21 @@ impl Graph {
         self.literal(node).is_some_and(is_power_of_two)
     }
 
+    /// The polynomial of the inputs that a node is worth, if it is one: its steps, without their roundings.
+    #[must_use]
+    pub fn polynomial(&self, node: Node) -> Option<Wide> {
+        let both = |a, b| Some((Box::new(self.polynomial(a)?), Box::new(self.polynomial(b)?)));
+        match *self.op(node) {
+            Op::Input(_) | Op::Literal(_) if self.error(node) == 0.0 => Some(Wide::Leaf(node)),
+            Op::Neg(a) => Some(Wide::Neg(Box::new(self.polynomial(a)?))),
+            Op::Add(a, b) => both(a, b).map(|(a, b)| Wide::Add(a, b)),
+            Op::Sub(a, b) => both(a, b).map(|(a, b)| Wide::Sub(a, b)),
+            Op::Mul(a, b) => both(a, b).map(|(a, b)| Wide::Mul(a, b)),
+            Op::Compensated(ref wide) => Some(wide.clone()),
+            _ => None,
+        }
+    }
+
     /// The operands of a node, in order.
     #[must_use]
     pub fn operands(&self, node: Node) -> Vec<Node> {

@@ -42,7 +42,7 @@ pub fn name_steps(graph: &Graph, outputs: &[Node], taken: &[String]) -> Program 
     let lets = uses
         .iter()
         .filter(|&(&node, &count)| deserves_name(graph, node, count, outputs))
-        .map(|(&node, _)| Let { name: names.fresh(stem(graph.op(node))), node })
+        .map(|(&node, _)| Let { name: names.fresh(stem(graph, node)), node })
         .collect();
     Program { lets, outputs: outputs.to_vec() }
 }
@@ -75,8 +75,8 @@ fn deserves_name(graph: &Graph, node: Node, uses: usize, outputs: &[Node]) -> bo
     }
 }
 
-fn stem(op: &Op) -> &'static str {
-    match op {
+fn stem(graph: &Graph, node: Node) -> &'static str {
+    match graph.op(node) {
         Op::Input(_) | Op::Literal(_) | Op::Pi | Op::Neg(_) => "value",
         Op::Add(..) => "sum",
         Op::Sub(..) => "difference",
@@ -84,6 +84,7 @@ fn stem(op: &Op) -> &'static str {
         Op::Div(..) => "quotient",
         Op::Sqrt(_) => "root",
         Op::If(..) => "chosen",
+        Op::Compensated(_) if graph.rules(node).contains(&"gathered") => "polynomial",
         Op::Compensated(_) => "cancelling",
         Op::Residual(_) => "remainder",
         Op::Max(_) => "largest",

@@ -57,11 +57,11 @@ pub struct ByAccelerations {
 ///
 /// # Error
 ///
-/// - `t0`: at most 2.5 ulp, barring overflow and underflow
-/// - `ko`: at most 9.51 ulp, barring overflow and underflow
-/// - `t2`: at most 16.01 ulp, barring overflow and underflow
-/// - `v0`: at most 2.5 ulp, barring overflow and underflow
-/// - `v1`: at most 5.51 ulp, barring overflow and underflow
+/// - `t0`: at most 2.01 ulp, barring overflow and underflow
+/// - `ko`: at most 8.51 ulp, barring overflow and underflow
+/// - `t2`: at most 13.01 ulp, barring overflow and underflow
+/// - `v0`: at most 1.51 ulp, barring overflow and underflow
+/// - `v1`: at most 4.51 ulp, barring overflow and underflow
 ///
 /// From: 3 s5ST[1].
 #[kernel(
@@ -69,8 +69,8 @@ pub struct ByAccelerations {
     maxima = "s5ST_t0(DeltaX,Ki,a0,a1,t1):=sqrt(3)*sqrt(DeltaX*Ki*a0)/a0\ns5ST_Ko(DeltaX,Ki,a0,a1,t1):=((a1+2*a0)*t1^2+3^(3/2)*sqrt(DeltaX*Ki*a0)*t1)/(3*DeltaX)+Ki\ns5ST_t2(DeltaX,Ki,a0,a1,t1):=12*DeltaX*(-((a1+2*a0)*t1^2+3^(3/2)*sqrt(DeltaX*Ki*a0)*t1)/(3*DeltaX)-Ki+1)/(sqrt(9*((a1+a0)*t1+sqrt(3)*sqrt(DeltaX*Ki*a0))^2+24*DeltaX*a1*(-((a1+2*a0)*t1^2+3^(3/2)*sqrt(DeltaX*Ki*a0)*t1)/(3*DeltaX)-Ki+1))+3*((a1+a0)*t1+sqrt(3)*sqrt(DeltaX*Ki*a0)))\ns5ST_v0(DeltaX,Ki,a0,a1,t1):=sqrt(3)*sqrt(DeltaX*Ki*a0)/2\ns5ST_v1(DeltaX,Ki,a0,a1,t1):=((a1+a0)*t1+sqrt(3)*sqrt(DeltaX*Ki*a0))/2",
     latex = "s_{5,\\mathrm{ST},t,0} = \\frac{\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}}{a_{0}} \\\\ s_{5,\\mathrm{ST},\\mathrm{Ko}} = \\frac{\\left(a_{1}+2\\,a_{0}\\right)\\,t_{1}^{2}+3^{\\frac{3}{2}}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\,t_{1}}{3\\,\\Delta_{X}}+\\mathrm{Ki} \\\\ s_{5,\\mathrm{ST},t,2} = \\frac{12\\,\\Delta_{X}\\,\\left(\\frac{-\\left(\\left(a_{1}+2\\,a_{0}\\right)\\,t_{1}^{2}+3^{\\frac{3}{2}}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\,t_{1}\\right)}{3\\,\\Delta_{X}}-\\mathrm{Ki}+1\\right)}{\\sqrt{9\\,\\left(\\left(a_{1}+a_{0}\\right)\\,t_{1}+\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\right)^{2}+24\\,\\Delta_{X}\\,a_{1}\\,\\left(\\frac{-\\left(\\left(a_{1}+2\\,a_{0}\\right)\\,t_{1}^{2}+3^{\\frac{3}{2}}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\,t_{1}\\right)}{3\\,\\Delta_{X}}-\\mathrm{Ki}+1\\right)}+3\\,\\left(\\left(a_{1}+a_{0}\\right)\\,t_{1}+\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\right)} \\\\ s_{5,\\mathrm{ST},v,0} = \\frac{\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}}{2} \\\\ s_{5,\\mathrm{ST},v,1} = \\frac{\\left(a_{1}+a_{0}\\right)\\,t_{1}+\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}}{2}",
     source = "3 s5ST[1]",
-    rules("compensated", "conjugate", "factored", "merge-roots", "sign-branch"),
-    bound(t0 = 2.5, ko = 9.51, t2 = 16.01, v0 = 2.5, v1 = 5.51),
+    rules("compensated", "conjugate", "factored", "gathered", "merge-roots", "sign-branch"),
+    bound(t0 = 2.01, ko = 8.51, t2 = 13.01, v0 = 1.51, v1 = 4.51),
     results(
         t0(worksheet = "s5ST_t0", unit = "s"),
         ko(worksheet = "s5ST_Ko", unit = "1"),
@@ -103,62 +103,78 @@ pub fn by_accelerations(
         + t1 * t1 * (a0 * (9.0 * a0 + 2.0 * a1) + a1 * a1)
     );
     let product = 3.0 * delta_x;
-    let product2 = product * ki;
     // compensated
     let cancelling3 = compensated!(t1 * t1 * (2.0 * a0 + a1) + 3.0 * delta_x * ki);
     let root = sqrt(3.0);
     // merge-roots
-    let root2 = sqrt(product2 * a0);
-    let product3 = 3.0 * t1 * root2;
+    let root2 = sqrt(product * ki * a0);
     // compensated
     let cancelling4 = compensated!(
         t1 * t1 * (t1 * t1 * (2.0 * a0 + a1) * (2.0 * a0 + a1) + 3.0 * delta_x * ki * (2.0 * a1 - 5.0 * a0))
         + 9.0 * delta_x * delta_x * ki * ki
     );
     // factored
-    let product4 = t1 * sum;
-    let sum2 = root2 + product4;
-    let difference = root2 - sum * t1;
+    let product2 = t1 * sum;
     // compensated
     let cancelling5 = compensated!(t1 * t1 * (a0 + a1) * (a0 + a1) - 3.0 * delta_x * ki * a0);
     // sign-branch
-    let chosen = if product4 >= 0.0 { 3.0 * sum2 } else { -3.0 * cancelling5 / difference };
+    let chosen = if product2 >= 0.0 { 3.0 * (root2 + product2) } else { -3.0 * cancelling5 / (root2 - sum * t1) };
     // compensated
     let cancelling6 = compensated!(a1 - 3.0 * a0);
-    let product5 = -6.0 * t1 * cancelling6;
     // factored
-    let product6 = product5 * root;
+    let product3 = -6.0 * t1 * cancelling6 * root;
     // compensated
     let cancelling7 = compensated!(
         a0 * (2.0 * a1 * (t1 * t1 * (3.0 * delta_x * (18.0 * a0 * (3.0 * ki + 4.0) + a1 * (16.0 - 25.0 * ki)) + t1 * t1 * (a0 * (18.0 * a0 + 11.0 * a1) + 2.0 * a1 * a1)) + 648.0 * delta_x * delta_x * ki * (1.0 - ki)) + 81.0 * a0 * (a0 * t1 * t1 - 3.0 * delta_x * ki) * (a0 * t1 * t1 - 3.0 * delta_x * ki))
         + a1 * a1 * (24.0 * delta_x * (1.0 - ki) + a1 * t1 * t1) * (24.0 * delta_x * (1.0 - ki) + a1 * t1 * t1)
     );
-    // sign-branch
-    let chosen2 = if (cancelling2 >= 0.0 && product6 >= 0.0) || (cancelling2 <= 0.0 && product6 <= 0.0) {
-        product5 * root2 + cancelling2
-    } else {
-        cancelling7 / (6.0 * t1 * cancelling6 * root2 + cancelling2)
-    };
-    let root3 = sqrt(chosen2);
     // compensated
     let cancelling8 = compensated!(
         3.0 * ki * delta_x * (3.0 * delta_x * (ki - 2.0) + t1 * t1 * (2.0 * a1 - 5.0 * a0))
         + (t1 * t1 * (2.0 * a0 + a1) - 3.0 * delta_x) * (t1 * t1 * (2.0 * a0 + a1) - 3.0 * delta_x)
     );
+    // gathered
+    let polynomial = compensated!(3.0 * delta_x * ki);
+    // gathered
+    let polynomial2 = compensated!(3.0 * delta_x * ki * a0);
+    // merge-roots
+    let root3 = sqrt(polynomial2);
+    let product4 = 3.0 * t1 * root3;
+    // gathered
+    let polynomial3 = compensated!(t1 * (a0 + a1));
+    let sum2 = root3 + polynomial3;
+    // gathered
+    let polynomial4 = compensated!(-3.0 * (t1 * t1 * (a0 + a1) * (a0 + a1) - 3.0 * delta_x * ki * a0));
+    // gathered
+    let polynomial5 = compensated!((a0 + a1) * t1);
+    let difference = root3 - polynomial5;
+    // sign-branch
+    let chosen2 = if product2 >= 0.0 { 3.0 * sum2 } else { polynomial4 / difference };
+    // gathered
+    let polynomial6 = compensated!(-6.0 * t1 * (a1 - 3.0 * a0));
+    // gathered
+    let polynomial7 = compensated!(6.0 * t1 * (a1 - 3.0 * a0));
+    // sign-branch
+    let chosen3 = if (cancelling2 >= 0.0 && product3 >= 0.0) || (cancelling2 <= 0.0 && product3 <= 0.0) {
+        polynomial6 * root3 + cancelling2
+    } else {
+        cancelling7 / (polynomial7 * root3 + cancelling2)
+    };
+    let root4 = sqrt(chosen3);
     ByAccelerations {
-        t0: sqrt(product2 / a0),
+        t0: sqrt(polynomial / a0),
         ko: if cancelling3 >= 0.0 {
-            (product3 + cancelling3) / product
+            (product4 + cancelling3) / product
         } else {
-            -cancelling4 / (product * (product3 - cancelling3))
+            -cancelling4 / (product * (product4 - cancelling3))
         },
         t2: if chosen <= 0.0 {
-            -0.5 * (chosen - root3) / a1
+            -0.5 * (chosen2 - root4) / a1
         } else {
-            4.0 * cancelling8 / ((root3 + chosen) * (product3 + cancelling))
+            4.0 * cancelling8 / ((root4 + chosen2) * (product4 + cancelling))
         },
-        v0: 0.5 * root2,
-        v1: if product4 >= 0.0 { 0.5 * sum2 } else { -0.5 * cancelling5 / difference },
+        v0: 0.5 * root3,
+        v1: if product2 >= 0.0 { 0.5 * sum2 } else { -0.5 * cancelling5 / difference },
     }
 }
 
@@ -191,7 +207,7 @@ pub fn by_accelerations(
 ///
 /// # Error
 ///
-/// - at most 11.01 ulp, barring overflow and underflow
+/// - at most 8.51 ulp, barring overflow and underflow
 ///
 /// From: 3 Ko = 1 (not shown).
 #[kernel(
@@ -199,8 +215,8 @@ pub fn by_accelerations(
     maxima = "s5_Ki_Ko1(DeltaX,a0,a1,t1):=(sqrt(a0)*sqrt((a0-4*a1)*t1^2+12*DeltaX)-3*a0*t1)^2/(12*DeltaX*a0)",
     latex = "s_{5,\\mathrm{Ki},\\mathrm{Ko},1} = \\frac{\\left(\\sqrt{a_{0}}\\,\\sqrt{\\left(a_{0}-4\\,a_{1}\\right)\\,t_{1}^{2}+12\\,\\Delta_{X}}-3\\,a_{0}\\,t_{1}\\right)^{2}}{12\\,\\Delta_{X}\\,a_{0}}",
     source = "3 Ko = 1 (not shown)",
-    rules("compensated", "conjugate", "factored", "merge-roots"),
-    bound = 11.01,
+    rules("compensated", "conjugate", "factored", "gathered", "merge-roots"),
+    bound = 8.51,
     result(worksheet = "s5_Ki_Ko1", unit = "1"),
 )]
 pub fn ki_without_middle(
@@ -215,15 +231,15 @@ pub fn ki_without_middle(
     require!(compensated!(3.0 * delta_x - t1 * t1 * (2.0 * a0 + a1)) > 0.0, "3*DeltaX > (a1+2*a0)*t1^2");
     require!(a1 >= 0.0 || compensated!(3.0 * delta_x * a0 - a1 * a1 * t1 * t1) > 0.0, "a1 >= 0 or 3*a0*DeltaX > a1^2*t1^2");
     // compensated
-    let cancelling = compensated!(3.0 * delta_x - t1 * t1 * (2.0 * a0 + a1));
-    // compensated
-    let cancelling2 = compensated!(t1 * t1 * (5.0 * a0 - 2.0 * a1) + 6.0 * delta_x);
-    // compensated
-    let cancelling3 = compensated!(t1 * t1 * (a0 - 4.0 * a1) + 12.0 * delta_x);
+    let cancelling = compensated!(t1 * t1 * (5.0 * a0 - 2.0 * a1) + 6.0 * delta_x);
+    // gathered
+    let polynomial = compensated!(2.0 * (3.0 * delta_x - t1 * t1 * (2.0 * a0 + a1)) * (3.0 * delta_x - t1 * t1 * (2.0 * a0 + a1)));
+    // gathered
+    let polynomial2 = compensated!((t1 * t1 * (a0 - 4.0 * a1) + 12.0 * delta_x) * a0);
     // merge-roots
-    let root = sqrt(cancelling3 * a0);
+    let root = sqrt(polynomial2);
     // factored, conjugate
-    2.0 * cancelling * cancelling / (3.0 * delta_x * (3.0 * t1 * root + cancelling2))
+    polynomial / (3.0 * delta_x * (3.0 * t1 * root + cancelling))
 }
 
 /// What [`by_times`](fn@by_times) returns.
@@ -276,11 +292,11 @@ pub struct ByTimes {
 ///
 /// # Error
 ///
-/// - `a0`: at most 4 ulp, barring overflow and underflow
-/// - `a1`: at most 9.01 ulp, barring overflow and underflow
-/// - `v0`: at most 3 ulp, barring overflow and underflow
-/// - `v1`: at most 9.01 ulp, barring overflow and underflow
-/// - `ko`: at most 16 ulp, barring overflow and underflow
+/// - `a0`: at most 3.01 ulp, barring overflow and underflow
+/// - `a1`: at most 3.01 ulp, barring overflow and underflow
+/// - `v0`: at most 2.01 ulp, barring overflow and underflow
+/// - `v1`: at most 3.01 ulp, barring overflow and underflow
+/// - `ko`: at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: 3 eqSet, solved for the accelerations (not shown).
 #[kernel(
@@ -288,8 +304,8 @@ pub struct ByTimes {
     maxima = "s5SX_a0(DeltaX,Ki,t0,t1,t2):=3*DeltaX*Ki/t0^2\ns5SX_a1(DeltaX,Ki,t0,t1,t2):=-(DeltaX*Ki*(9*t1*t2+12*t1^2)+DeltaX*Ki*t0*(9*t2+18*t1)+(6*DeltaX*Ki-6*DeltaX)*t0^2)/(t0^2*(t2^2+3*t1*t2+2*t1^2))\ns5SX_v0(DeltaX,Ki,t0,t1,t2):=3*DeltaX*Ki/(2*t0)\ns5SX_v1(DeltaX,Ki,t0,t1,t2):=-(DeltaX*Ki*(6*t1^3-3*t1*t2^2)+DeltaX*Ki*t0*(12*t1^2-3*t2^2)+t0^2*(6*DeltaX*Ki*t1-6*DeltaX*t1))/(t0^2*(2*t2^2+6*t1*t2+4*t1^2))\ns5SX_Ko(DeltaX,Ki,t0,t1,t2):=(t0^2*(Ki*(t2^2+3*t1*t2)+2*t1^2)+Ki*(2*t1^2*t2^2+3*t1^3*t2)+Ki*t0*(3*t1*t2^2+6*t1^2*t2))/(t0^2*(t2^2+3*t1*t2+2*t1^2))",
     latex = "s_{5,\\mathrm{SX},a,0} = \\frac{3\\,\\Delta_{X}\\,\\mathrm{Ki}}{t_{0}^{2}} \\\\ s_{5,\\mathrm{SX},a,1} = \\frac{-\\left(\\Delta_{X}\\,\\mathrm{Ki}\\,\\left(9\\,t_{1}\\,t_{2}+12\\,t_{1}^{2}\\right)+\\Delta_{X}\\,\\mathrm{Ki}\\,t_{0}\\,\\left(9\\,t_{2}+18\\,t_{1}\\right)+\\left(6\\,\\Delta_{X}\\,\\mathrm{Ki}-6\\,\\Delta_{X}\\right)\\,t_{0}^{2}\\right)}{t_{0}^{2}\\,\\left(t_{2}^{2}+3\\,t_{1}\\,t_{2}+2\\,t_{1}^{2}\\right)} \\\\ s_{5,\\mathrm{SX},v,0} = \\frac{3\\,\\Delta_{X}\\,\\mathrm{Ki}}{2\\,t_{0}} \\\\ s_{5,\\mathrm{SX},v,1} = \\frac{-\\left(\\Delta_{X}\\,\\mathrm{Ki}\\,\\left(6\\,t_{1}^{3}-3\\,t_{1}\\,t_{2}^{2}\\right)+\\Delta_{X}\\,\\mathrm{Ki}\\,t_{0}\\,\\left(12\\,t_{1}^{2}-3\\,t_{2}^{2}\\right)+t_{0}^{2}\\,\\left(6\\,\\Delta_{X}\\,\\mathrm{Ki}\\,t_{1}-6\\,\\Delta_{X}\\,t_{1}\\right)\\right)}{t_{0}^{2}\\,\\left(2\\,t_{2}^{2}+6\\,t_{1}\\,t_{2}+4\\,t_{1}^{2}\\right)} \\\\ s_{5,\\mathrm{SX},\\mathrm{Ko}} = \\frac{t_{0}^{2}\\,\\left(\\mathrm{Ki}\\,\\left(t_{2}^{2}+3\\,t_{1}\\,t_{2}\\right)+2\\,t_{1}^{2}\\right)+\\mathrm{Ki}\\,\\left(2\\,t_{1}^{2}\\,t_{2}^{2}+3\\,t_{1}^{3}\\,t_{2}\\right)+\\mathrm{Ki}\\,t_{0}\\,\\left(3\\,t_{1}\\,t_{2}^{2}+6\\,t_{1}^{2}\\,t_{2}\\right)}{t_{0}^{2}\\,\\left(t_{2}^{2}+3\\,t_{1}\\,t_{2}+2\\,t_{1}^{2}\\right)}",
     source = "3 eqSet, solved for the accelerations (not shown)",
-    rules("compensated", "factored"),
-    bound(a0 = 4.0, a1 = 9.01, v0 = 3.0, v1 = 9.01, ko = 16.0),
+    rules("compensated", "factored", "gathered"),
+    bound(a0 = 3.01, a1 = 3.01, v0 = 2.01, v1 = 3.01, ko = 3.01),
     results(
         a0(worksheet = "s5SX_a0", unit = "m/s^2"),
         a1(worksheet = "s5SX_a1", unit = "m/s^2"),
@@ -311,19 +327,23 @@ pub fn by_times(
     require!(t1 > 0.0, "t1 > 0");
     require!(t2 > 0.0, "t2 > 0");
     require!(compensated!(2.0 * t0 * t0 - ki * (t0 + t1) * (2.0 * t0 + (2.0 * t1 + t2))) >= 0.0, "2*t0^2 >= Ki*(t0+t1)*(2*t0+2*t1+t2)");
-    let product = t0 * t0;
-    // compensated
-    let cancelling = compensated!(ki * (t0 + t1) * (2.0 * t0 + (4.0 * t1 + 3.0 * t2)) - 2.0 * t0 * t0);
-    let product2 = product * (t1 + t2) * (2.0 * t1 + t2);
-    let product3 = 1.5 * delta_x;
-    // compensated
-    let cancelling2 = compensated!(ki * (t0 + t1) * (t2 * t2 - 2.0 * t1 * (t0 + t1)) + 2.0 * t0 * t0 * t1);
+    // gathered
+    let polynomial = compensated!(3.0 * delta_x * ki);
+    // gathered
+    let polynomial2 = compensated!(-3.0 * delta_x * (ki * (t0 + t1) * (2.0 * t0 + (4.0 * t1 + 3.0 * t2)) - 2.0 * t0 * t0));
+    // gathered
+    let polynomial3 = compensated!(t0 * t0 * (t1 + t2) * (2.0 * t1 + t2));
+    // gathered
+    let polynomial4 = compensated!(1.5 * delta_x * ki);
+    // gathered
+    let polynomial5 = compensated!(1.5 * delta_x * (ki * (t0 + t1) * (t2 * t2 - 2.0 * t1 * (t0 + t1)) + 2.0 * t0 * t0 * t1));
+    // gathered
+    let polynomial6 = compensated!(ki * t2 * (t0 + t1) * (t1 * (3.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2) + 2.0 * t0 * t0 * t1 * t1);
     ByTimes {
-        a0: 3.0 * delta_x * ki / product,
-        a1: -3.0 * delta_x * cancelling / product2,
-        v0: product3 * ki / t0,
-        v1: product3 * cancelling2 / product2,
-        ko: (ki * t2 * (t0 + t1) * (t1 * (3.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2) + 2.0 * t0 * t0 * t1 * t1)
-            / product2,
+        a0: polynomial / (t0 * t0),
+        a1: polynomial2 / polynomial3,
+        v0: polynomial4 / t0,
+        v1: polynomial5 / polynomial3,
+        ko: polynomial6 / polynomial3,
     }
 }

@@ -44,8 +44,8 @@ pub struct TurnOut {
 ///
 /// # Error
 ///
-/// - `t_out`: at most 5 ulp, barring overflow and underflow
-/// - `d1_out`: at most 14 ulp, barring overflow and underflow
+/// - `t_out`: at most 3.01 ulp, barring overflow and underflow
+/// - `d1_out`: at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: 4.6 rscn_ax1_Tol_sol, rscn_d1Out.
 #[kernel(
@@ -53,8 +53,8 @@ pub struct TurnOut {
     maxima = "rscn_tOut(tIn,v1Scan,v1Diff,a1Max):=2*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn)\nrscn_d1Out(tIn,v1Scan,v1Diff,a1Max):=4*tIn*(v1Diff+a1Max*tIn)*(v1Scan-v1Diff)^2/(3*(2*v1Diff+a1Max*tIn)^2)",
     latex = "\\mathrm{rscn}_{\\mathrm{tOut}} = \\frac{2\\,t_{\\mathrm{In}}\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)}{2\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}} \\\\ \\mathrm{rscn}_{d,1,\\mathrm{Out}} = \\frac{4\\,t_{\\mathrm{In}}\\,\\left(v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}\\right)\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)^{2}}{3\\,\\left(2\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}\\right)^{2}}",
     source = "4.6 rscn_ax1_Tol_sol, rscn_d1Out",
-    rules("compensated", "factored"),
-    bound(t_out = 5.0, d1_out = 14.0),
+    rules("compensated", "factored", "gathered"),
+    bound(t_out = 3.01, d1_out = 3.01),
     results(
         t_out(worksheet = "rscn_tOut", unit = "s"),
         d1_out(worksheet = "rscn_d1Out", unit = "m"),
@@ -71,12 +71,17 @@ pub fn turn_out(
     require!(v1_scan > v1_diff, "v1Scan > v1Diff");
     require!(a1_max > 0.0, "a1Max > 0");
     require!(compensated!(t_in * a1_max - 2.0 * v1_diff) >= 0.0, "2*v1Diff <= a1Max*tIn");
-    let product = t_in * a1_max;
-    let difference = v1_diff - v1_scan;
-    let sum = product + 2.0 * v1_diff;
+    // gathered
+    let polynomial = compensated!(-2.0 * t_in * (v1_diff - v1_scan));
+    // gathered
+    let polynomial2 = compensated!(t_in * a1_max + 2.0 * v1_diff);
+    // gathered
+    let polynomial3 = compensated!(4.0 * t_in * (t_in * a1_max + v1_diff) * (v1_diff - v1_scan) * (v1_diff - v1_scan));
+    // gathered
+    let polynomial4 = compensated!(3.0 * (t_in * a1_max + 2.0 * v1_diff) * (t_in * a1_max + 2.0 * v1_diff));
     TurnOut {
-        t_out: -2.0 * t_in * difference / sum,
-        d1_out: 4.0 * t_in * (product + v1_diff) * difference * difference / (3.0 * sum * sum),
+        t_out: polynomial / polynomial2,
+        d1_out: polynomial3 / polynomial4,
     }
 }
 
@@ -102,7 +107,7 @@ pub fn turn_out(
 ///
 /// # Error
 ///
-/// - at most 5 ulp, barring overflow and underflow
+/// - at most 2.01 ulp, barring overflow and underflow
 ///
 /// From: 4.6 rscn_ax1_Tol_sol.
 #[kernel(
@@ -110,8 +115,8 @@ pub fn turn_out(
     maxima = "rscn_d1In(tIn,v1Scan,v1Diff):=tIn*(3*v1Scan-v1Diff)/3",
     latex = "\\mathrm{rscn}_{d,1,\\mathrm{In}} = \\frac{t_{\\mathrm{In}}\\,\\left(3\\,v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)}{3}",
     source = "4.6 rscn_ax1_Tol_sol",
-    rules("factored", "known-sum"),
-    bound = 5.0,
+    rules("factored", "gathered", "known-sum"),
+    bound = 2.01,
     result(worksheet = "rscn_d1In", unit = "m"),
 )]
 pub fn d1_in(
@@ -122,8 +127,10 @@ pub fn d1_in(
     require!(t_in > 0.0, "tIn > 0");
     require!(v1_diff >= 0.0, "v1Diff >= 0");
     require!(v1_scan > v1_diff, "v1Scan > v1Diff");
+    // gathered
+    let polynomial = compensated!((2.0 * v1_diff + 3.0 * (v1_scan - v1_diff)) * t_in);
     // factored
-    (2.0 * v1_diff + 3.0 * (v1_scan - v1_diff)) * t_in / 3.0
+    polynomial / 3.0
 }
 
 /// Acceleration at the end of the segment that loses v1Diff in the time tIn: never positive.
@@ -360,7 +367,7 @@ pub fn t_add(
 ///
 /// # Error
 ///
-/// - at most 6 ulp, barring overflow and underflow
+/// - at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: 4.6 %o200.
 #[kernel(
@@ -368,8 +375,8 @@ pub fn t_add(
     maxima = "tOvrHd(tOut,tEdge,tIn,v1Diff,v1Scan):=(6*tOut*v1Scan+3*tEdge*v1Scan+2*tIn*v1Diff)/(6*v1Scan)",
     latex = "t_{\\mathrm{OvrHd}} = \\frac{6\\,t_{\\mathrm{Out}}\\,v_{1,\\mathrm{Scan}}+3\\,t_{\\mathrm{Edge}}\\,v_{1,\\mathrm{Scan}}+2\\,t_{\\mathrm{In}}\\,v_{1,\\mathrm{Diff}}}{6\\,v_{1,\\mathrm{Scan}}}",
     source = "4.6 %o200",
-    rules("factored"),
-    bound = 6.0,
+    rules("factored", "gathered"),
+    bound = 3.01,
     result(worksheet = "tOvrHd", unit = "s"),
 )]
 pub fn overhead(
@@ -384,8 +391,10 @@ pub fn overhead(
     require!(t_in > 0.0, "tIn > 0");
     require!(v1_diff >= 0.0, "v1Diff >= 0");
     require!(v1_scan > v1_diff, "v1Scan > v1Diff");
+    // gathered
+    let polynomial = compensated!(3.0 * v1_scan * (2.0 * t_out + t_edge) + 2.0 * t_in * v1_diff);
     // factored
-    (3.0 * v1_scan * (2.0 * t_out + t_edge) + 2.0 * t_in * v1_diff) / (6.0 * v1_scan)
+    polynomial / (6.0 * v1_scan)
 }
 
 /// What [`overhead_of_t_out`](fn@overhead_of_t_out) returns.
@@ -426,8 +435,8 @@ pub struct OverheadOfTOut {
 ///
 /// # Error
 ///
-/// - `t_ovr_hd`: at most 6.01 ulp, barring overflow and underflow
-/// - `dt_ovr_hd_dv1_diff`: at most 9.01 ulp, barring overflow and underflow
+/// - `t_ovr_hd`: at most 3.01 ulp, barring overflow and underflow
+/// - `dt_ovr_hd_dv1_diff`: at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: 4.6 %o202, %o203.
 #[kernel(
@@ -435,8 +444,8 @@ pub struct OverheadOfTOut {
     maxima = "tOvrHd_tOut(tOut,v1Scan,v1Diff,a1Max):=2*tOut*v1Diff^2/(6*v1Scan^2-6*v1Diff*v1Scan-3*a1Max*tOut*v1Scan)+tOut\ndtOvrHd_tOut_dv1Diff(tOut,v1Scan,v1Diff,a1Max):=4*tOut*v1Diff*(2*v1Scan-v1Diff-a1Max*tOut)/(3*v1Scan*(2*v1Scan-2*v1Diff-a1Max*tOut)^2)",
     latex = "t_{\\mathrm{OvrHd},\\mathrm{tOut}} = \\frac{2\\,t_{\\mathrm{Out}}\\,v_{1,\\mathrm{Diff}}^{2}}{6\\,v_{1,\\mathrm{Scan}}^{2}-6\\,v_{1,\\mathrm{Diff}}\\,v_{1,\\mathrm{Scan}}-3\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Out}}\\,v_{1,\\mathrm{Scan}}}+t_{\\mathrm{Out}} \\\\ \\mathrm{dt}_{\\mathrm{OvrHd},\\mathrm{tOut},\\mathrm{dv},1,\\mathrm{Diff}} = \\frac{4\\,t_{\\mathrm{Out}}\\,v_{1,\\mathrm{Diff}}\\,\\left(2\\,v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}-a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Out}}\\right)}{3\\,v_{1,\\mathrm{Scan}}\\,\\left(2\\,v_{1,\\mathrm{Scan}}-2\\,v_{1,\\mathrm{Diff}}-a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Out}}\\right)^{2}}",
     source = "4.6 %o202, %o203",
-    rules("compensated", "differences-first", "factored"),
-    bound(t_ovr_hd = 6.01, dt_ovr_hd_dv1_diff = 9.01),
+    rules("compensated", "differences-first", "factored", "gathered"),
+    bound(t_ovr_hd = 3.01, dt_ovr_hd_dv1_diff = 3.01),
     results(
         t_ovr_hd(worksheet = "tOvrHd_tOut", unit = "s"),
         dt_ovr_hd_dv1_diff(worksheet = "dtOvrHd_tOut_dv1Diff", unit = "s^2/m"),
@@ -454,15 +463,21 @@ pub fn overhead_of_t_out(
     require!(a1_max > 0.0, "a1Max > 0");
     require!(compensated!(2.0 * (v1_scan - v1_diff) - t_out * a1_max) > 0.0, "a1Max*tOut < 2*(v1Scan-v1Diff)");
     require!(compensated!(t_out * a1_max + (v1_diff - v1_scan)) >= 0.0, "v1Scan-v1Diff <= a1Max*tOut");
-    // compensated, differences-first
-    let cancelling = compensated!(2.0 * (v1_scan - v1_diff) - t_out * a1_max);
-    // compensated
-    let cancelling2 = compensated!(3.0 * v1_scan * (2.0 * (v1_scan - v1_diff) - t_out * a1_max) + 2.0 * v1_diff * v1_diff);
-    let product = 3.0 * v1_scan * cancelling;
-    // compensated
-    let cancelling3 = compensated!(2.0 * v1_scan - (t_out * a1_max + v1_diff));
+    // gathered
+    let polynomial = compensated!((3.0 * v1_scan * (2.0 * (v1_scan - v1_diff) - t_out * a1_max) + 2.0 * v1_diff * v1_diff) * t_out);
+    // gathered
+    let polynomial2 = compensated!(3.0 * v1_scan * (2.0 * (v1_scan - v1_diff) - t_out * a1_max));
+    // gathered
+    let polynomial3 = compensated!(4.0 * t_out * v1_diff * (2.0 * v1_scan - (t_out * a1_max + v1_diff)));
+    // gathered
+    let polynomial4 = compensated!(
+        3.0
+        * v1_scan
+        * (2.0 * (v1_scan - v1_diff) - t_out * a1_max)
+        * (2.0 * (v1_scan - v1_diff) - t_out * a1_max)
+    );
     OverheadOfTOut {
-        t_ovr_hd: cancelling2 * t_out / product,
-        dt_ovr_hd_dv1_diff: 4.0 * t_out * v1_diff * cancelling3 / (product * cancelling),
+        t_ovr_hd: polynomial / polynomial2,
+        dt_ovr_hd_dv1_diff: polynomial3 / polynomial4,
     }
 }

@@ -97,7 +97,7 @@ pub fn t_i(
 ///
 /// # Error
 ///
-/// - at most 5 ulp, barring overflow and underflow
+/// - at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: second numbering 2, ax1_tIO_eq.
 #[kernel(
@@ -105,8 +105,8 @@ pub fn t_i(
     maxima = "t_o(t_i,a,v,Delta):=(t_i*v+Delta*t_i)/(a*t_i+Delta)",
     latex = "t_{o} = \\frac{t_{i}\\,v+\\Delta\\,t_{i}}{a\\,t_{i}+\\Delta}",
     source = "second numbering 2, ax1_tIO_eq",
-    rules("factored"),
-    bound = 5.0,
+    rules("factored", "gathered"),
+    bound = 3.01,
     result(worksheet = "t_o", unit = "s"),
 )]
 pub fn t_o(
@@ -119,8 +119,12 @@ pub fn t_o(
     require!(a > 0.0, "a > 0");
     require!(delta_v > 0.0, "Delta > 0");
     require!(v + delta_v > 0.0, "v+Delta > 0");
+    // gathered
+    let polynomial = compensated!(t_i * (v + delta_v));
+    // gathered
+    let polynomial2 = compensated!(t_i * a + delta_v);
     // factored
-    t_i * (v + delta_v) / (t_i * a + delta_v)
+    polynomial / polynomial2
 }
 
 /// Time of the ramp in with which both axes turn around in the same time, with no time left at the edge, by the velocities of the scan axis.

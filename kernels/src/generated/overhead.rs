@@ -44,8 +44,8 @@ pub struct StepLimited {
 ///
 /// # Error
 ///
-/// - `t_ovr_hd`: at most 9.01 ulp, barring overflow and underflow
-/// - `dt_ovr_hd_dt_in`: at most 17 ulp, barring overflow and underflow
+/// - `t_ovr_hd`: at most 8.51 ulp, barring overflow and underflow
+/// - `dt_ovr_hd_dt_in`: at most 8.51 ulp, barring overflow and underflow
 ///
 /// From: double optimisation rscn_tOv; second numbering 1.2 tOv_diff_tIn.
 #[kernel(
@@ -53,8 +53,8 @@ pub struct StepLimited {
     maxima = "rscn_tOv(tIn,delta,v1Diff,v1Scan):=tIn*v1Diff/(3*v1Scan)+sqrt(tIn^2+24*delta)/4-3*tIn/4\ntOv_diff_tIn(tIn,delta,v1Diff,v1Scan):=v1Diff/(3*v1Scan)+tIn/(4*sqrt(tIn^2+24*delta))-3/4",
     latex = "\\mathrm{rscn}_{\\mathrm{tOv}} = \\frac{t_{\\mathrm{In}}\\,v_{1,\\mathrm{Diff}}}{3\\,v_{1,\\mathrm{Scan}}}+\\frac{\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}}{4}-\\frac{3\\,t_{\\mathrm{In}}}{4} \\\\ t_{\\mathrm{Ov},\\mathrm{diff},\\mathrm{tIn}} = \\frac{v_{1,\\mathrm{Diff}}}{3\\,v_{1,\\mathrm{Scan}}}+\\frac{t_{\\mathrm{In}}}{4\\,\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}}-\\frac{3}{4}",
     source = "double optimisation rscn_tOv; second numbering 1.2 tOv_diff_tIn",
-    rules("compensated", "conjugate", "factored", "known-sum"),
-    bound(t_ovr_hd = 9.01, dt_ovr_hd_dt_in = 17.0),
+    rules("compensated", "conjugate", "factored", "gathered", "known-sum"),
+    bound(t_ovr_hd = 8.51, dt_ovr_hd_dt_in = 8.51),
     results(
         t_ovr_hd(worksheet = "rscn_tOv", unit = "s"),
         dt_ovr_hd_dt_in(worksheet = "tOv_diff_tIn", unit = "1"),
@@ -71,23 +71,29 @@ pub fn step_limited(
     require!(compensated!(3.0 * delta - t_in * t_in) >= 0.0, "3*delta >= tIn^2");
     require!(v1_diff >= 0.0, "v1Diff >= 0");
     require!(v1_scan > v1_diff, "v1Scan > v1Diff");
-    let product = t_in * t_in;
-    let difference = v1_scan - v1_diff;
-    // known-sum
-    let sum = 5.0 * v1_scan + 4.0 * difference;
-    let sum2 = 24.0 * delta + product;
-    let root = sqrt(sum2);
-    let product2 = 3.0 * v1_scan;
+    let product = 3.0 * v1_scan;
     // compensated
     let cancelling = compensated!(
         t_in * t_in * (2.0 * v1_diff - 3.0 * v1_scan) * (3.0 * v1_scan - v1_diff)
         + 27.0 * delta * v1_scan * v1_scan
     );
+    // gathered
+    let polynomial = compensated!(24.0 * delta + t_in * t_in);
+    let root = sqrt(polynomial);
+    // gathered
+    let polynomial2 = compensated!(t_in * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)));
+    // gathered
+    let polynomial3 = compensated!(
+        -2.0
+        * (t_in * t_in * (2.0 * (v1_scan - v1_diff) + v1_scan) * (2.0 * v1_scan + (v1_scan - v1_diff)) + 3.0 * delta * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)) * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)))
+    );
+    // gathered
+    let polynomial4 = compensated!(3.0 * t_in * v1_scan);
+    // gathered
+    let polynomial5 = compensated!((24.0 * delta + t_in * t_in) * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)));
     StepLimited {
-        t_ovr_hd: 2.0 * cancelling / (product2 * (product2 * root + t_in * sum)),
-        dt_ovr_hd_dt_in: -2.0
-            * (product * (2.0 * difference + v1_scan) * (2.0 * v1_scan + difference) + 3.0 * delta * sum * sum)
-            / (product2 * (3.0 * t_in * v1_scan * root + sum2 * sum)),
+        t_ovr_hd: 2.0 * cancelling / (product * (product * root + polynomial2)),
+        dt_ovr_hd_dt_in: polynomial3 / (product * (polynomial4 * root + polynomial5)),
     }
 }
 
@@ -123,7 +129,7 @@ pub fn step_limited(
 ///
 /// # Error
 ///
-/// - at most 11.01 ulp, barring overflow and underflow
+/// - at most 8.51 ulp, barring overflow and underflow
 ///
 /// From: double optimisation %o212.
 #[kernel(
@@ -131,8 +137,8 @@ pub fn step_limited(
     maxima = "tEdge_ax2ax1(tIn,delta,v1Scan,v1Diff,a1Max):=(sqrt(tIn^2+24*delta)-3*tIn)/2-4*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn)",
     latex = "t_{\\mathrm{Edge},\\mathrm{ax},2,\\mathrm{ax},1} = \\frac{\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}-3\\,t_{\\mathrm{In}}}{2}-\\frac{4\\,t_{\\mathrm{In}}\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)}{2\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}}",
     source = "double optimisation %o212",
-    rules("compensated", "conjugate", "factored"),
-    bound = 11.01,
+    rules("compensated", "conjugate", "factored", "gathered"),
+    bound = 8.51,
     result(worksheet = "tEdge_ax2ax1", unit = "s"),
 )]
 pub fn t_edge(
@@ -149,17 +155,20 @@ pub fn t_edge(
     require!(a1_max > 0.0, "a1Max > 0");
     require!(compensated!(t_in * a1_max - 2.0 * v1_diff) >= 0.0, "2*v1Diff <= a1Max*tIn");
     require!(compensated!(3.0 * delta * ((2.0 * v1_diff + a1_max * t_in) * (2.0 * v1_diff + a1_max * t_in)) - t_in * t_in * (a1_max * t_in + 2.0 * v1_scan) * (a1_max * t_in + 4.0 * v1_scan - 2.0 * v1_diff)) >= 0.0, "3*delta*(2*v1Diff+a1Max*tIn)^2 >= tIn^2*(a1Max*tIn+2*v1Scan)*(a1Max*tIn+4*v1Scan-2*v1Diff)");
-    let root = sqrt(24.0 * delta + t_in * t_in);
-    let sum = t_in * a1_max + 2.0 * v1_diff;
     // compensated
     let cancelling = compensated!(
         t_in * (t_in * (a1_max * (t_in * (2.0 * (v1_diff - 3.0 * v1_scan) - t_in * a1_max) + 3.0 * delta * a1_max) + 4.0 * v1_scan * (v1_diff - 2.0 * v1_scan)) + 12.0 * delta * v1_diff * a1_max)
         + 12.0 * delta * v1_diff * v1_diff
     );
+    // gathered
+    let polynomial = compensated!(t_in * a1_max + 2.0 * v1_diff);
+    // gathered
+    let polynomial2 = compensated!(24.0 * delta + t_in * t_in);
+    let root = sqrt(polynomial2);
+    // gathered
+    let polynomial3 = compensated!(t_in * (3.0 * t_in * a1_max + 2.0 * (4.0 * v1_scan - v1_diff)));
     // factored, conjugate
-    4.0
-        * cancelling
-        / (sum * (sum * root + t_in * (3.0 * t_in * a1_max + 2.0 * (4.0 * v1_scan - v1_diff))))
+    4.0 * cancelling / (polynomial * (polynomial * root + polynomial3))
 }
 
 /// What the scan axis has to lose in a ramp in of the time tIn so that it does not rest for the step axis.
@@ -193,7 +202,7 @@ pub fn t_edge(
 ///
 /// # Error
 ///
-/// - at most 9.01 ulp, barring overflow and underflow
+/// - at most 6.51 ulp, barring overflow and underflow
 ///
 /// From: second numbering 1.2.1 rscn_v1Diff_tE0.
 #[kernel(
@@ -201,8 +210,8 @@ pub fn t_edge(
     maxima = "rscn_v1Diff_tE0(tIn,delta,v1Scan,a1Max):=tIn*(8*v1Scan-a1Max*sqrt(tIn^2+24*delta)+3*a1Max*tIn)/(2*(sqrt(tIn^2+24*delta)+tIn))",
     latex = "\\mathrm{rscn}_{v,1,\\mathrm{Diff},\\mathrm{tE},0} = \\frac{t_{\\mathrm{In}}\\,\\left(8\\,v_{1,\\mathrm{Scan}}-a_{1,\\mathrm{Max}}\\,\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}+3\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}\\right)}{2\\,\\left(\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}+t_{\\mathrm{In}}\\right)}",
     source = "second numbering 1.2.1 rscn_v1Diff_tE0",
-    rules("compensated", "conjugate", "factored"),
-    bound = 9.01,
+    rules("compensated", "conjugate", "factored", "gathered"),
+    bound = 6.51,
     result(worksheet = "rscn_v1Diff_tE0", unit = "m/s"),
 )]
 pub fn v1_diff(
@@ -218,12 +227,20 @@ pub fn v1_diff(
     require!(a1_max > 0.0, "a1Max > 0");
     require!(compensated!(a1_max * (t_in * (t_in * a1_max + 6.0 * v1_scan) - 3.0 * delta * a1_max) + 8.0 * v1_scan * v1_scan) >= 0.0, "3*a1Max^2*delta <= (a1Max*tIn+2*v1Scan)*(a1Max*tIn+4*v1Scan)");
     require!(compensated!(3.0 * delta * a1_max * a1_max - v1_scan * (t_in * a1_max + 2.0 * v1_scan)) >= 0.0, "3*a1Max^2*delta >= v1Scan*(a1Max*tIn+2*v1Scan)");
-    // compensated
-    let cancelling = compensated!(a1_max * (t_in * (t_in * a1_max + 6.0 * v1_scan) - 3.0 * delta * a1_max) + 8.0 * v1_scan * v1_scan);
-    let sum = t_in * a1_max + 2.0 * v1_scan;
-    let root = sqrt(24.0 * delta + t_in * t_in);
+    // gathered
+    let polynomial = compensated!(
+        t_in
+        * (a1_max * (t_in * (t_in * a1_max + 6.0 * v1_scan) - 3.0 * delta * a1_max) + 8.0 * v1_scan * v1_scan)
+    );
+    // gathered
+    let polynomial2 = compensated!(t_in * a1_max + 2.0 * v1_scan);
+    // gathered
+    let polynomial3 = compensated!(24.0 * delta + t_in * t_in);
+    let root = sqrt(polynomial3);
+    // gathered
+    let polynomial4 = compensated!(t_in * (t_in * a1_max + 2.0 * v1_scan) + 6.0 * delta * a1_max);
     // factored, conjugate
-    t_in * cancelling / (sum * root + (t_in * sum + 6.0 * delta * a1_max))
+    polynomial / (polynomial2 * root + polynomial4)
 }
 
 /// What [`scan_limited`](fn@scan_limited) returns.
@@ -263,8 +280,8 @@ pub struct ScanLimited {
 ///
 /// # Error
 ///
-/// - `t_ovr_hd`: at most 10 ulp, barring overflow and underflow
-/// - `dt_ovr_hd_dt_in`: at most 15 ulp, barring overflow and underflow
+/// - `t_ovr_hd`: at most 3.01 ulp, barring overflow and underflow
+/// - `dt_ovr_hd_dt_in`: at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: second numbering 1.2.1 %o235, %o236.
 #[kernel(
@@ -272,8 +289,8 @@ pub struct ScanLimited {
     maxima = "tOvrHd_tE0(tIn,v1Scan,v1Diff,a1Max):=2*tIn*v1Scan/(2*v1Diff+a1Max*tIn)+tIn*v1Diff/(3*v1Scan)-2*tIn*v1Diff/(2*v1Diff+a1Max*tIn)\ndtOvrHd_tE0_dtIn(tIn,v1Scan,v1Diff,a1Max):=2*v1Scan/(2*v1Diff+a1Max*tIn)-2*a1Max*tIn*v1Scan/(2*v1Diff+a1Max*tIn)^2+v1Diff/(3*v1Scan)-2*v1Diff/(2*v1Diff+a1Max*tIn)+2*a1Max*tIn*v1Diff/(2*v1Diff+a1Max*tIn)^2",
     latex = "t_{\\mathrm{OvrHd},\\mathrm{tE},0} = \\frac{2\\,t_{\\mathrm{In}}\\,v_{1,\\mathrm{Scan}}}{2\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}}+\\frac{t_{\\mathrm{In}}\\,v_{1,\\mathrm{Diff}}}{3\\,v_{1,\\mathrm{Scan}}}-\\frac{2\\,t_{\\mathrm{In}}\\,v_{1,\\mathrm{Diff}}}{2\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}} \\\\ \\mathrm{dt}_{\\mathrm{OvrHd},\\mathrm{tE},0,\\mathrm{dtIn}} = \\frac{2\\,v_{1,\\mathrm{Scan}}}{2\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}}-\\frac{2\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}\\,v_{1,\\mathrm{Scan}}}{\\left(2\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}\\right)^{2}}+\\frac{v_{1,\\mathrm{Diff}}}{3\\,v_{1,\\mathrm{Scan}}}-\\frac{2\\,v_{1,\\mathrm{Diff}}}{2\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}}+\\frac{2\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}\\,v_{1,\\mathrm{Diff}}}{\\left(2\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}\\right)^{2}}",
     source = "second numbering 1.2.1 %o235, %o236",
-    rules("compensated", "factored"),
-    bound(t_ovr_hd = 10.0, dt_ovr_hd_dt_in = 15.0),
+    rules("compensated", "factored", "gathered"),
+    bound(t_ovr_hd = 3.01, dt_ovr_hd_dt_in = 3.01),
     results(
         t_ovr_hd(worksheet = "tOvrHd_tE0", unit = "s"),
         dt_ovr_hd_dt_in(worksheet = "dtOvrHd_tE0_dtIn", unit = "1"),
@@ -290,12 +307,20 @@ pub fn scan_limited(
     require!(v1_scan > v1_diff, "v1Scan > v1Diff");
     require!(a1_max > 0.0, "a1Max > 0");
     require!(compensated!(t_in * a1_max - 2.0 * v1_diff) >= 0.0, "2*v1Diff <= a1Max*tIn");
-    let difference = v1_scan - v1_diff;
-    let sum = t_in * a1_max + 2.0 * v1_diff;
-    let product = 3.0 * v1_scan * sum;
+    // gathered
+    let polynomial = compensated!(t_in * (6.0 * v1_scan * (v1_scan - v1_diff) + v1_diff * (t_in * a1_max + 2.0 * v1_diff)));
+    // gathered
+    let polynomial2 = compensated!(3.0 * v1_scan * (t_in * a1_max + 2.0 * v1_diff));
+    // gathered
+    let polynomial3 = compensated!(
+        v1_diff
+        * (12.0 * v1_scan * (v1_scan - v1_diff) + (t_in * a1_max + 2.0 * v1_diff) * (t_in * a1_max + 2.0 * v1_diff))
+    );
+    // gathered
+    let polynomial4 = compensated!(3.0 * v1_scan * (t_in * a1_max + 2.0 * v1_diff) * (t_in * a1_max + 2.0 * v1_diff));
     ScanLimited {
-        t_ovr_hd: t_in * (6.0 * v1_scan * difference + v1_diff * sum) / product,
-        dt_ovr_hd_dt_in: v1_diff * (12.0 * v1_scan * difference + sum * sum) / (product * sum),
+        t_ovr_hd: polynomial / polynomial2,
+        dt_ovr_hd_dt_in: polynomial3 / polynomial4,
     }
 }
 
@@ -336,8 +361,8 @@ pub struct D1OutGradient {
 ///
 /// # Error
 ///
-/// - `dd1_out_dv1_diff`: at most 19 ulp, barring overflow and underflow
-/// - `dd1_out_dt_in`: at most 18 ulp, barring overflow and underflow
+/// - `dd1_out_dv1_diff`: at most 3.01 ulp, barring overflow and underflow
+/// - `dd1_out_dt_in`: at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: second numbering 1.3 %o240.
 #[kernel(
@@ -345,8 +370,8 @@ pub struct D1OutGradient {
     maxima = "dd1Out_dv1Diff(tIn,v1Scan,v1Diff,a1Max):=-(4*tIn*(v1Scan-v1Diff)*(2*v1Diff*v1Scan+3*a1Max*tIn*v1Scan+2*v1Diff^2+3*a1Max*tIn*v1Diff+2*a1Max^2*tIn^2))/(3*(2*v1Diff+a1Max*tIn)^3)\ndd1Out_dtIn(tIn,v1Scan,v1Diff,a1Max):=4*v1Diff*(2*v1Diff+3*a1Max*tIn)*(v1Scan-v1Diff)^2/(3*(2*v1Diff+a1Max*tIn)^3)",
     latex = "\\mathrm{dd}_{1,\\mathrm{Out},\\mathrm{dv},1,\\mathrm{Diff}} = \\frac{-4\\,t_{\\mathrm{In}}\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)\\,\\left(2\\,v_{1,\\mathrm{Diff}}\\,v_{1,\\mathrm{Scan}}+3\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}\\,v_{1,\\mathrm{Scan}}+2\\,v_{1,\\mathrm{Diff}}^{2}+3\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}\\,v_{1,\\mathrm{Diff}}+2\\,a_{1,\\mathrm{Max}}^{2}\\,t_{\\mathrm{In}}^{2}\\right)}{3\\,\\left(2\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}\\right)^{3}} \\\\ \\mathrm{dd}_{1,\\mathrm{Out},\\mathrm{dtIn}} = \\frac{4\\,v_{1,\\mathrm{Diff}}\\,\\left(2\\,v_{1,\\mathrm{Diff}}+3\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}\\right)\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)^{2}}{3\\,\\left(2\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}\\right)^{3}}",
     source = "second numbering 1.3 %o240",
-    rules("compensated", "factored"),
-    bound(dd1_out_dv1_diff = 19.0, dd1_out_dt_in = 18.0),
+    rules("compensated", "factored", "gathered"),
+    bound(dd1_out_dv1_diff = 3.01, dd1_out_dt_in = 3.01),
     results(
         dd1_out_dv1_diff(worksheet = "dd1Out_dv1Diff", unit = "s"),
         dd1_out_dt_in(worksheet = "dd1Out_dtIn", unit = "m/s"),
@@ -363,18 +388,24 @@ pub fn d1_out_gradient(
     require!(v1_scan > v1_diff, "v1Scan > v1Diff");
     require!(a1_max > 0.0, "a1Max > 0");
     require!(compensated!(t_in * a1_max - 2.0 * v1_diff) >= 0.0, "2*v1Diff <= a1Max*tIn");
-    let product = t_in * a1_max;
-    let product2 = 2.0 * v1_diff;
-    let difference = v1_diff - v1_scan;
-    let sum = v1_scan + v1_diff;
-    let sum2 = product + product2;
-    let product3 = 3.0 * sum2 * sum2 * sum2;
+    // gathered
+    let polynomial = compensated!(
+        4.0
+        * t_in
+        * (v1_diff - v1_scan)
+        * (t_in * a1_max * (2.0 * t_in * a1_max + 3.0 * (v1_scan + v1_diff)) + 2.0 * v1_diff * (v1_scan + v1_diff))
+    );
+    // gathered
+    let polynomial2 = compensated!(
+        3.0
+        * (t_in * a1_max + 2.0 * v1_diff)
+        * (t_in * a1_max + 2.0 * v1_diff)
+        * (t_in * a1_max + 2.0 * v1_diff)
+    );
+    // gathered
+    let polynomial3 = compensated!(4.0 * v1_diff * (3.0 * t_in * a1_max + 2.0 * v1_diff) * (v1_diff - v1_scan) * (v1_diff - v1_scan));
     D1OutGradient {
-        dd1_out_dv1_diff: 4.0
-            * t_in
-            * difference
-            * (product * (2.0 * t_in * a1_max + 3.0 * sum) + product2 * sum)
-            / product3,
-        dd1_out_dt_in: 4.0 * v1_diff * (3.0 * t_in * a1_max + product2) * difference * difference / product3,
+        dd1_out_dv1_diff: polynomial / polynomial2,
+        dd1_out_dt_in: polynomial3 / polynomial2,
     }
 }

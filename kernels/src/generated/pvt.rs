@@ -266,8 +266,8 @@ pub struct ArrivalFirst {
 ///
 /// # Error
 ///
-/// - `t1`: at most 5.51 ulp, barring overflow and underflow
-/// - `a1`: at most 7.51 ulp, barring overflow and underflow
+/// - `t1`: at most 4.51 ulp, barring overflow and underflow
+/// - `a1`: at most 6.51 ulp, barring overflow and underflow
 ///
 /// From: 1.2 %o13, %o14.
 #[kernel(
@@ -275,8 +275,8 @@ pub struct ArrivalFirst {
     maxima = "s_t1_2(x0,v0,x1,v1,a0):=(6*x1-6*x0)/(sqrt(6*a0*x1-6*a0*x0+v1^2+4*v0*v1+4*v0^2)+v1+2*v0)\ns_a1_2(x0,v0,x1,v1,a0):=((v1-v0)*sqrt(6*a0*x1-6*a0*x0+v1^2+4*v0*v1+4*v0^2)-3*a0*x1+3*a0*x0+v1^2+v0*v1-2*v0^2)/(3*x1-3*x0)",
     latex = "s_{t,1,2} = \\frac{6\\,x_{1}-6\\,x_{0}}{\\sqrt{6\\,a_{0}\\,x_{1}-6\\,a_{0}\\,x_{0}+v_{1}^{2}+4\\,v_{0}\\,v_{1}+4\\,v_{0}^{2}}+v_{1}+2\\,v_{0}} \\\\ s_{a,1,2} = \\frac{\\left(v_{1}-v_{0}\\right)\\,\\sqrt{6\\,a_{0}\\,x_{1}-6\\,a_{0}\\,x_{0}+v_{1}^{2}+4\\,v_{0}\\,v_{1}+4\\,v_{0}^{2}}-3\\,a_{0}\\,x_{1}+3\\,a_{0}\\,x_{0}+v_{1}^{2}+v_{0}\\,v_{1}-2\\,v_{0}^{2}}{3\\,x_{1}-3\\,x_{0}}",
     source = "1.2 %o13, %o14",
-    rules("compensated", "conjugate", "differences-first", "factored", "sign-branch"),
-    bound(t1 = 5.51, a1 = 7.51),
+    rules("compensated", "conjugate", "differences-first", "factored", "gathered", "sign-branch"),
+    bound(t1 = 4.51, a1 = 6.51),
     results(
         t1(worksheet = "s_t1_2", unit = "s"),
         a1(worksheet = "s_a1_2", unit = "m/s^2"),
@@ -293,21 +293,24 @@ pub fn arrival_first(
     require!(a0 != 0.0 || 2.0 * v0 + v1 > 0.0, "a0 # 0 or v1+2*v0 > 0");
     require!(compensated!((v1 + 2.0 * v0) * (v1 + 2.0 * v0) + 6.0 * a0 * (x1 - x0)) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
     let sum = 2.0 * v0 + v1;
-    let difference = x1 - x0;
     // compensated, differences-first
     let cancelling = compensated!(6.0 * a0 * (x1 - x0) + (2.0 * v0 + v1) * (2.0 * v0 + v1));
     let root = sqrt(cancelling);
     // compensated, differences-first
     let cancelling2 = compensated!(v0 * (v1 - 2.0 * v0) + (v1 * v1 - 3.0 * a0 * (x1 - x0)));
-    let difference2 = v1 - v0;
-    // compensated, differences-first
-    let cancelling3 = compensated!(3.0 * a0 * (x1 - x0) + 2.0 * (v0 - v1) * (2.0 * v1 + v0));
+    let difference = v1 - v0;
+    // gathered
+    let polynomial = compensated!(6.0 * (x1 - x0));
+    // gathered
+    let polynomial2 = compensated!(3.0 * (x1 - x0));
+    // gathered
+    let polynomial3 = compensated!(a0 * (3.0 * a0 * (x1 - x0) + 2.0 * (v0 - v1) * (2.0 * v1 + v0)));
     ArrivalFirst {
-        t1: if sum <= 0.0 { (root - sum) / a0 } else { 6.0 * difference / (root + sum) },
-        a1: if (cancelling2 >= 0.0 && difference2 >= 0.0) || (cancelling2 <= 0.0 && difference2 <= 0.0) {
-            (difference2 * root + cancelling2) / (3.0 * difference)
+        t1: if sum <= 0.0 { (root - sum) / a0 } else { polynomial / (root + sum) },
+        a1: if (cancelling2 >= 0.0 && difference >= 0.0) || (cancelling2 <= 0.0 && difference <= 0.0) {
+            (difference * root + cancelling2) / polynomial2
         } else {
-            a0 * cancelling3 / ((v0 - v1) * root + cancelling2)
+            polynomial3 / ((v0 - v1) * root + cancelling2)
         },
     }
 }
@@ -350,8 +353,8 @@ pub struct ArrivalLast {
 ///
 /// # Error
 ///
-/// - `t1`: at most 5.51 ulp, barring overflow and underflow
-/// - `a1`: at most 7.51 ulp, barring overflow and underflow
+/// - `t1`: at most 4.51 ulp, barring overflow and underflow
+/// - `a1`: at most 6.51 ulp, barring overflow and underflow
 ///
 /// From: 1.2 %o11, %o12.
 #[kernel(
@@ -359,8 +362,8 @@ pub struct ArrivalLast {
     maxima = "s_t1_1(x0,v0,x1,v1,a0):=-(6*x1-6*x0)/(sqrt(6*a0*x1-6*a0*x0+v1^2+4*v0*v1+4*v0^2)-v1-2*v0)\ns_a1_1(x0,v0,x1,v1,a0):=-((v1-v0)*sqrt(6*a0*x1-6*a0*x0+v1^2+4*v0*v1+4*v0^2)+3*a0*x1-3*a0*x0-v1^2-v0*v1+2*v0^2)/(3*x1-3*x0)",
     latex = "s_{t,1,1} = \\frac{-\\left(6\\,x_{1}-6\\,x_{0}\\right)}{\\sqrt{6\\,a_{0}\\,x_{1}-6\\,a_{0}\\,x_{0}+v_{1}^{2}+4\\,v_{0}\\,v_{1}+4\\,v_{0}^{2}}-v_{1}-2\\,v_{0}} \\\\ s_{a,1,1} = \\frac{-\\left(\\left(v_{1}-v_{0}\\right)\\,\\sqrt{6\\,a_{0}\\,x_{1}-6\\,a_{0}\\,x_{0}+v_{1}^{2}+4\\,v_{0}\\,v_{1}+4\\,v_{0}^{2}}+3\\,a_{0}\\,x_{1}-3\\,a_{0}\\,x_{0}-v_{1}^{2}-v_{0}\\,v_{1}+2\\,v_{0}^{2}\\right)}{3\\,x_{1}-3\\,x_{0}}",
     source = "1.2 %o11, %o12",
-    rules("compensated", "conjugate", "differences-first", "factored", "sign-branch"),
-    bound(t1 = 5.51, a1 = 7.51),
+    rules("compensated", "conjugate", "differences-first", "factored", "gathered", "sign-branch"),
+    bound(t1 = 4.51, a1 = 6.51),
     results(
         t1(worksheet = "s_t1_1", unit = "s"),
         a1(worksheet = "s_a1_1", unit = "m/s^2"),
@@ -377,21 +380,24 @@ pub fn arrival_last(
     require!(a0 != 0.0 || 2.0 * v0 + v1 < 0.0, "a0 # 0 or v1+2*v0 < 0");
     require!(compensated!((v1 + 2.0 * v0) * (v1 + 2.0 * v0) + 6.0 * a0 * (x1 - x0)) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
     let sum = 2.0 * v0 + v1;
-    let difference = x1 - x0;
     // compensated, differences-first
     let cancelling = compensated!(6.0 * a0 * (x1 - x0) + (2.0 * v0 + v1) * (2.0 * v0 + v1));
     let root = sqrt(cancelling);
     // compensated, differences-first
     let cancelling2 = compensated!(v0 * (v1 - 2.0 * v0) + (v1 * v1 - 3.0 * a0 * (x1 - x0)));
-    let difference2 = v0 - v1;
-    // compensated, differences-first
-    let cancelling3 = compensated!(3.0 * a0 * (x1 - x0) + 2.0 * (v0 - v1) * (2.0 * v1 + v0));
+    let difference = v0 - v1;
+    // gathered
+    let polynomial = compensated!(-6.0 * (x1 - x0));
+    // gathered
+    let polynomial2 = compensated!(3.0 * (x1 - x0));
+    // gathered
+    let polynomial3 = compensated!(a0 * (3.0 * a0 * (x1 - x0) + 2.0 * (v0 - v1) * (2.0 * v1 + v0)));
     ArrivalLast {
-        t1: if sum >= 0.0 { -(root + sum) / a0 } else { -6.0 * difference / (root - sum) },
-        a1: if (cancelling2 >= 0.0 && difference2 >= 0.0) || (cancelling2 <= 0.0 && difference2 <= 0.0) {
-            (difference2 * root + cancelling2) / (3.0 * difference)
+        t1: if sum >= 0.0 { -(root + sum) / a0 } else { polynomial / (root - sum) },
+        a1: if (cancelling2 >= 0.0 && difference >= 0.0) || (cancelling2 <= 0.0 && difference <= 0.0) {
+            (difference * root + cancelling2) / polynomial2
         } else {
-            a0 * cancelling3 / ((v1 - v0) * root + cancelling2)
+            polynomial3 / ((v1 - v0) * root + cancelling2)
         },
     }
 }
@@ -496,7 +502,7 @@ pub struct MinJerkSegment {
 /// # Error
 ///
 /// - `t1`: at most 3 ulp, barring overflow and underflow
-/// - `delta_a`: at most 5.01 ulp, barring overflow and underflow
+/// - `delta_a`: at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: 1.3 eqSngMinJrk (not shown).
 #[kernel(
@@ -504,8 +510,8 @@ pub struct MinJerkSegment {
     maxima = "SngMinJrk_t1(x0,v0,x1,v1,ai,af):=(2*v1-2*v0)/(ai+af)\nSngMinJrk_Delta(x0,v0,x1,v1,ai,af):=((3*ai^2+6*af*ai+3*af^2)*x1+(-3*ai^2-6*af*ai-3*af^2)*x0+(-4*ai-2*af)*v1^2+(2*ai-2*af)*v0*v1+(2*ai+4*af)*v0^2)/(2*v1^2-4*v0*v1+2*v0^2)",
     latex = "\\mathrm{Sng}_{\\mathrm{MinJrk},t,1} = \\frac{2\\,v_{1}-2\\,v_{0}}{\\mathrm{ai}+\\mathrm{af}} \\\\ \\mathrm{Sng}_{\\mathrm{MinJrk},\\Delta} = \\frac{\\left(3\\,\\mathrm{ai}^{2}+6\\,\\mathrm{af}\\,\\mathrm{ai}+3\\,\\mathrm{af}^{2}\\right)\\,x_{1}+\\left(\\left(-3\\right)\\,\\mathrm{ai}^{2}-6\\,\\mathrm{af}\\,\\mathrm{ai}-3\\,\\mathrm{af}^{2}\\right)\\,x_{0}+\\left(\\left(-4\\right)\\,\\mathrm{ai}-2\\,\\mathrm{af}\\right)\\,v_{1}^{2}+\\left(2\\,\\mathrm{ai}-2\\,\\mathrm{af}\\right)\\,v_{0}\\,v_{1}+\\left(2\\,\\mathrm{ai}+4\\,\\mathrm{af}\\right)\\,v_{0}^{2}}{2\\,v_{1}^{2}-4\\,v_{0}\\,v_{1}+2\\,v_{0}^{2}}",
     source = "1.3 eqSngMinJrk (not shown)",
-    rules("compensated", "differences-first", "factored"),
-    bound(t1 = 3.0, delta_a = 5.01),
+    rules("compensated", "differences-first", "factored", "gathered"),
+    bound(t1 = 3.0, delta_a = 3.01),
     results(
         t1(worksheet = "SngMinJrk_t1", unit = "s"),
         delta_a(worksheet = "SngMinJrk_Delta", unit = "m/s^2"),
@@ -520,15 +526,16 @@ pub fn min_jerk_segment(
     #[input(maxima = "af", unit = "m/s^2", typical(0.1, 50.0))] af: f64,
 ) -> MinJerkSegment {
     require!((v1 > v0 && ai + af > 0.0) || (v0 > v1 && ai + af < 0.0), "v1 > v0 and ai+af > 0 or v1 < v0 and ai+af < 0");
-    let difference = v1 - v0;
     // compensated, differences-first
     let cancelling = compensated!(
         2.0 * v0 * (v1 * (af - ai) - v0 * (2.0 * af + ai))
         + (2.0 * v1 * v1 * (2.0 * ai + af) - 3.0 * (x1 - x0) * (ai + af) * (ai + af))
     );
+    // gathered
+    let polynomial = compensated!((v1 - v0) * (v1 - v0));
     MinJerkSegment {
-        t1: 2.0 * difference / (ai + af),
-        delta_a: -0.5 * cancelling / (difference * difference),
+        t1: 2.0 * (v1 - v0) / (ai + af),
+        delta_a: -0.5 * cancelling / polynomial,
     }
 }
 

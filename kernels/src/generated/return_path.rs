@@ -56,9 +56,9 @@ pub struct AsymmetricReturn {
 ///
 /// - `a2`: at most 3.01 ulp, barring overflow and underflow
 /// - `t_edge1`: at most 3.01 ulp, barring overflow and underflow
-/// - `d1_edge1`: at most 9.01 ulp, barring overflow and underflow
-/// - `d1_edge2`: at most 12.01 ulp, barring overflow and underflow
-/// - `v1_edge2`: at most 5.01 ulp, barring overflow and underflow
+/// - `d1_edge1`: at most 3.01 ulp, barring overflow and underflow
+/// - `d1_edge2`: at most 3.01 ulp, barring overflow and underflow
+/// - `v1_edge2`: at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: third numbering 3, sln_Ax1Asym[3].
 #[kernel(
@@ -66,8 +66,8 @@ pub struct AsymmetricReturn {
     maxima = "Ax1Asym3_a2(a1Max,tEdge,tOut,a3,v3,d1Out):=-(4*v3^2-4*a3*tOut*v3-6*a1Max*tOut*v3-4*a1Max*tEdge*v3+a3^2*tOut^2+2*a1Max*a3*tOut^2+2*a1Max*a3*tEdge*tOut-a1Max^2*tEdge^2+6*a1Max*d1Out)/(2*tOut*v3+a1Max*tOut^2+2*a1Max*tEdge*tOut+a1Max*tEdge^2-6*d1Out)\nAx1Asym3_tEdge1(a1Max,tEdge,tOut,a3,v3,d1Out):=(4*tOut*v3+2*tEdge*v3-a3*tOut^2-a3*tEdge*tOut-a1Max*tEdge*tOut-a1Max*tEdge^2-6*d1Out)/(2*v3-a3*tOut-a1Max*tOut-2*a1Max*tEdge)\nAx1Asym3_d1Edge1(a1Max,tEdge,tOut,a3,v3,d1Out):=a1Max*(4*tOut*v3+2*tEdge*v3-a3*tOut^2-a3*tEdge*tOut-a1Max*tEdge*tOut-a1Max*tEdge^2-6*d1Out)^2/(6*(2*v3-a3*tOut-a1Max*tOut-2*a1Max*tEdge)^2)\nAx1Asym3_d1Edge2(a1Max,tEdge,tOut,a3,v3,d1Out):=-((4*tOut*v3-a3*tOut^2+a1Max*tEdge^2-6*d1Out)^2*(4*v3^2-4*a3*tOut*v3-2*a1Max*tOut*v3-4*a1Max*tEdge*v3+a3^2*tOut^2+2*a1Max*a3*tOut^2+2*a1Max^2*tOut^2+2*a1Max*a3*tEdge*tOut+4*a1Max^2*tEdge*tOut+a1Max^2*tEdge^2-6*a1Max*d1Out))/(6*(2*v3-a3*tOut-a1Max*tOut-2*a1Max*tEdge)^2*(2*tOut*v3+a1Max*tOut^2+2*a1Max*tEdge*tOut+a1Max*tEdge^2-6*d1Out))\nAx1Asym3_v1Edge2(a1Max,tEdge,tOut,a3,v3,d1Out):=(2*v3-a3*tOut-a1Max*tOut)*(4*tOut*v3-a3*tOut^2+a1Max*tEdge^2-6*d1Out)/(2*(2*tOut*v3+a1Max*tOut^2+2*a1Max*tEdge*tOut+a1Max*tEdge^2-6*d1Out))",
     latex = "\\mathrm{Ax}_{1,\\mathrm{Asym},3,a,2} = \\frac{-\\left(4\\,v_{3}^{2}-4\\,a_{3}\\,t_{\\mathrm{Out}}\\,v_{3}-6\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Out}}\\,v_{3}-4\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}\\,v_{3}+a_{3}^{2}\\,t_{\\mathrm{Out}}^{2}+2\\,a_{1,\\mathrm{Max}}\\,a_{3}\\,t_{\\mathrm{Out}}^{2}+2\\,a_{1,\\mathrm{Max}}\\,a_{3}\\,t_{\\mathrm{Edge}}\\,t_{\\mathrm{Out}}-a_{1,\\mathrm{Max}}^{2}\\,t_{\\mathrm{Edge}}^{2}+6\\,a_{1,\\mathrm{Max}}\\,d_{1,\\mathrm{Out}}\\right)}{2\\,t_{\\mathrm{Out}}\\,v_{3}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Out}}^{2}+2\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}\\,t_{\\mathrm{Out}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}^{2}-6\\,d_{1,\\mathrm{Out}}} \\\\ \\mathrm{Ax}_{1,\\mathrm{Asym},3,\\mathrm{tEdge},1} = \\frac{4\\,t_{\\mathrm{Out}}\\,v_{3}+2\\,t_{\\mathrm{Edge}}\\,v_{3}-a_{3}\\,t_{\\mathrm{Out}}^{2}-a_{3}\\,t_{\\mathrm{Edge}}\\,t_{\\mathrm{Out}}-a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}\\,t_{\\mathrm{Out}}-a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}^{2}-6\\,d_{1,\\mathrm{Out}}}{2\\,v_{3}-a_{3}\\,t_{\\mathrm{Out}}-a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Out}}-2\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}} \\\\ \\mathrm{Ax}_{1,\\mathrm{Asym},3,d,1,\\mathrm{Edge},1} = \\frac{a_{1,\\mathrm{Max}}\\,\\left(4\\,t_{\\mathrm{Out}}\\,v_{3}+2\\,t_{\\mathrm{Edge}}\\,v_{3}-a_{3}\\,t_{\\mathrm{Out}}^{2}-a_{3}\\,t_{\\mathrm{Edge}}\\,t_{\\mathrm{Out}}-a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}\\,t_{\\mathrm{Out}}-a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}^{2}-6\\,d_{1,\\mathrm{Out}}\\right)^{2}}{6\\,\\left(2\\,v_{3}-a_{3}\\,t_{\\mathrm{Out}}-a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Out}}-2\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}\\right)^{2}} \\\\ \\mathrm{Ax}_{1,\\mathrm{Asym},3,d,1,\\mathrm{Edge},2} = \\frac{-\\left(4\\,t_{\\mathrm{Out}}\\,v_{3}-a_{3}\\,t_{\\mathrm{Out}}^{2}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}^{2}-6\\,d_{1,\\mathrm{Out}}\\right)^{2}\\,\\left(4\\,v_{3}^{2}-4\\,a_{3}\\,t_{\\mathrm{Out}}\\,v_{3}-2\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Out}}\\,v_{3}-4\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}\\,v_{3}+a_{3}^{2}\\,t_{\\mathrm{Out}}^{2}+2\\,a_{1,\\mathrm{Max}}\\,a_{3}\\,t_{\\mathrm{Out}}^{2}+2\\,a_{1,\\mathrm{Max}}^{2}\\,t_{\\mathrm{Out}}^{2}+2\\,a_{1,\\mathrm{Max}}\\,a_{3}\\,t_{\\mathrm{Edge}}\\,t_{\\mathrm{Out}}+4\\,a_{1,\\mathrm{Max}}^{2}\\,t_{\\mathrm{Edge}}\\,t_{\\mathrm{Out}}+a_{1,\\mathrm{Max}}^{2}\\,t_{\\mathrm{Edge}}^{2}-6\\,a_{1,\\mathrm{Max}}\\,d_{1,\\mathrm{Out}}\\right)}{6\\,\\left(2\\,v_{3}-a_{3}\\,t_{\\mathrm{Out}}-a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Out}}-2\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}\\right)^{2}\\,\\left(2\\,t_{\\mathrm{Out}}\\,v_{3}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Out}}^{2}+2\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}\\,t_{\\mathrm{Out}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}^{2}-6\\,d_{1,\\mathrm{Out}}\\right)} \\\\ \\mathrm{Ax}_{1,\\mathrm{Asym},3,v,1,\\mathrm{Edge},2} = \\frac{\\left(2\\,v_{3}-a_{3}\\,t_{\\mathrm{Out}}-a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Out}}\\right)\\,\\left(4\\,t_{\\mathrm{Out}}\\,v_{3}-a_{3}\\,t_{\\mathrm{Out}}^{2}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}^{2}-6\\,d_{1,\\mathrm{Out}}\\right)}{2\\,\\left(2\\,t_{\\mathrm{Out}}\\,v_{3}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Out}}^{2}+2\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}\\,t_{\\mathrm{Out}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{Edge}}^{2}-6\\,d_{1,\\mathrm{Out}}\\right)}",
     source = "third numbering 3, sln_Ax1Asym[3]",
-    rules("compensated", "factored"),
-    bound(a2 = 3.01, t_edge1 = 3.01, d1_edge1 = 9.01, d1_edge2 = 12.01, v1_edge2 = 5.01),
+    rules("compensated", "factored", "gathered"),
+    bound(a2 = 3.01, t_edge1 = 3.01, d1_edge1 = 3.01, d1_edge2 = 3.01, v1_edge2 = 3.01),
     results(
         a2(worksheet = "Ax1Asym3_a2", unit = "m/s^2"),
         t_edge1(worksheet = "Ax1Asym3_tEdge1", unit = "s"),
@@ -89,34 +89,53 @@ pub fn asymmetric_return(
     require!(t_out > 0.0, "tOut > 0");
     require!(((compensated!(t_edge * (2.0 * v3 - t_out * a3 - a1_max * (t_edge + t_out)) + (t_out * (4.0 * v3 - t_out * a3) - 6.0 * d1_out)) > 0.0 && compensated!(2.0 * v3 - t_out * a3 - a1_max * (2.0 * t_edge + t_out)) > 0.0) && compensated!(t_out * (t_out * a3 - 4.0 * v3) + (6.0 * d1_out - a1_max * t_edge * t_edge)) > 0.0) || ((compensated!(t_edge * (a1_max * (t_edge + t_out) + (t_out * a3 - 2.0 * v3)) + (t_out * (t_out * a3 - 4.0 * v3) + 6.0 * d1_out)) > 0.0 && compensated!(a1_max * (2.0 * t_edge + t_out) + (t_out * a3 - 2.0 * v3)) > 0.0) && compensated!(t_out * (4.0 * v3 - t_out * a3) + (a1_max * t_edge * t_edge - 6.0 * d1_out)) > 0.0), "4*tOut*v3+2*tEdge*v3-a3*tOut^2-(a1Max+a3)*tEdge*tOut-a1Max*tEdge^2-6*d1Out > 0 and 2*v3-(a1Max+a3)*tOut-2*a1Max*tEdge > 0 and 4*tOut*v3-a3*tOut^2+a1Max*tEdge^2-6*d1Out < 0 or 4*tOut*v3+2*tEdge*v3-a3*tOut^2-(a1Max+a3)*tEdge*tOut-a1Max*tEdge^2-6*d1Out < 0 and 2*v3-(a1Max+a3)*tOut-2*a1Max*tEdge < 0 and 4*tOut*v3-a3*tOut^2+a1Max*tEdge^2-6*d1Out > 0");
     // compensated
-    let cancelling = compensated!(t_out * (t_out * a3 - 4.0 * v3) + (6.0 * d1_out - a1_max * t_edge * t_edge));
-    // compensated
-    let cancelling2 = compensated!(
+    let cancelling = compensated!(
         t_edge * (a1_max * (t_edge + t_out) + (t_out * a3 - 2.0 * v3))
         + (t_out * (t_out * a3 - 4.0 * v3) + 6.0 * d1_out)
     );
     // compensated
-    let cancelling3 = compensated!(a1_max * (2.0 * t_edge + t_out) + (t_out * a3 - 2.0 * v3));
+    let cancelling2 = compensated!(a1_max * (2.0 * t_edge + t_out) + (t_out * a3 - 2.0 * v3));
     // compensated
-    let cancelling4 = compensated!(
+    let cancelling3 = compensated!(
         a1_max * (2.0 * t_out * (a3 * (t_edge + t_out) - 3.0 * v3) + (6.0 * d1_out - t_edge * (a1_max * t_edge + 4.0 * v3)))
         + (2.0 * v3 - t_out * a3) * (2.0 * v3 - t_out * a3)
     );
     // compensated
-    let cancelling5 = compensated!(a1_max * (t_edge + t_out) * (t_edge + t_out) + 2.0 * (t_out * v3 - 3.0 * d1_out));
-    let product = 6.0 * cancelling3 * cancelling3;
-    // compensated
-    let cancelling6 = compensated!(
-        a1_max * (2.0 * t_out * (a1_max * (2.0 * t_edge + t_out) + (a3 * (t_edge + t_out) - v3)) + (t_edge * (a1_max * t_edge - 4.0 * v3) - 6.0 * d1_out))
-        + (2.0 * v3 - t_out * a3) * (2.0 * v3 - t_out * a3)
+    let cancelling4 = compensated!(a1_max * (t_edge + t_out) * (t_edge + t_out) + 2.0 * (t_out * v3 - 3.0 * d1_out));
+    // gathered
+    let polynomial = compensated!(
+        a1_max
+        * (t_edge * (a1_max * (t_edge + t_out) + (t_out * a3 - 2.0 * v3)) + (t_out * (t_out * a3 - 4.0 * v3) + 6.0 * d1_out))
+        * (t_edge * (a1_max * (t_edge + t_out) + (t_out * a3 - 2.0 * v3)) + (t_out * (t_out * a3 - 4.0 * v3) + 6.0 * d1_out))
     );
-    // compensated
-    let cancelling7 = compensated!(t_out * (a1_max + a3) - 2.0 * v3);
+    // gathered
+    let polynomial2 = compensated!(
+        6.0
+        * (a1_max * (2.0 * t_edge + t_out) + (t_out * a3 - 2.0 * v3))
+        * (a1_max * (2.0 * t_edge + t_out) + (t_out * a3 - 2.0 * v3))
+    );
+    // gathered
+    let polynomial3 = compensated!(
+        -((a1_max * (2.0 * t_out * (a1_max * (2.0 * t_edge + t_out) + (a3 * (t_edge + t_out) - v3)) + (t_edge * (a1_max * t_edge - 4.0 * v3) - 6.0 * d1_out)) + (2.0 * v3 - t_out * a3) * (2.0 * v3 - t_out * a3)) * ((t_out * (t_out * a3 - 4.0 * v3) + (6.0 * d1_out - a1_max * t_edge * t_edge)) * (t_out * (t_out * a3 - 4.0 * v3) + (6.0 * d1_out - a1_max * t_edge * t_edge))))
+    );
+    // gathered
+    let polynomial4 = compensated!(
+        6.0
+        * (a1_max * (2.0 * t_edge + t_out) + (t_out * a3 - 2.0 * v3))
+        * (a1_max * (2.0 * t_edge + t_out) + (t_out * a3 - 2.0 * v3))
+        * (a1_max * (t_edge + t_out) * (t_edge + t_out) + 2.0 * (t_out * v3 - 3.0 * d1_out))
+    );
+    // gathered
+    let polynomial5 = compensated!(
+        0.5
+        * (t_out * (a1_max + a3) - 2.0 * v3)
+        * (t_out * (t_out * a3 - 4.0 * v3) + (6.0 * d1_out - a1_max * t_edge * t_edge))
+    );
     AsymmetricReturn {
-        a2: -cancelling4 / cancelling5,
-        t_edge1: cancelling2 / cancelling3,
-        d1_edge1: a1_max * cancelling2 * cancelling2 / product,
-        d1_edge2: -(cancelling6 * (cancelling * cancelling)) / (product * cancelling5),
-        v1_edge2: 0.5 * cancelling7 * cancelling / cancelling5,
+        a2: -cancelling3 / cancelling4,
+        t_edge1: cancelling / cancelling2,
+        d1_edge1: polynomial / polynomial2,
+        d1_edge2: polynomial3 / polynomial4,
+        v1_edge2: polynomial5 / cancelling4,
     }
 }

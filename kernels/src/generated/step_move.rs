@@ -113,11 +113,11 @@ pub struct QuarterMove {
 ///
 /// # Error
 ///
-/// - `v3`: at most 2 ulp, barring overflow and underflow
-/// - `v0`: at most 10.01 ulp, barring overflow and underflow
-/// - `a0`: at most 10.01 ulp, barring overflow and underflow
-/// - `x1`: at most 8.01 ulp, barring overflow and underflow
-/// - `t4`: at most 3 ulp, barring overflow and underflow
+/// - `v3`: at most 1.51 ulp, barring overflow and underflow
+/// - `v0`: at most 7.51 ulp, barring overflow and underflow
+/// - `a0`: at most 8.51 ulp, barring overflow and underflow
+/// - `x1`: at most 7.51 ulp, barring overflow and underflow
+/// - `t4`: at most 2.51 ulp, barring overflow and underflow
 ///
 /// From: 4.1.1 %o141.
 #[kernel(
@@ -125,8 +125,8 @@ pub struct QuarterMove {
     maxima = "a4V1_v3(x4,a3,t1):=sqrt(6)*sqrt(-a3*x4)/4\na4V1_v0(x4,a3,t1):=-(sqrt(6)*t1*sqrt(-a3*x4)-6*x4)/(20*t1)\na4V1_a0(x4,a3,t1):=-(3*sqrt(6)*t1*sqrt(-a3*x4)-3*x4-5*a3*t1^2)/(5*t1^2)\na4V1_x1(x4,a3,t1):=-(9*sqrt(6)*t1*sqrt(-a3*x4)-39*x4-10*a3*t1^2)/60\na4V1_t4(x4,a3,t1):=sqrt(6)*x4/(2*sqrt(-a3*x4))",
     latex = "a_{4,V,1,v,3} = \\frac{\\sqrt{6}\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}}{4} \\\\ a_{4,V,1,v,0} = \\frac{-\\left(\\sqrt{6}\\,t_{1}\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}-6\\,x_{4}\\right)}{20\\,t_{1}} \\\\ a_{4,V,1,a,0} = \\frac{-\\left(3\\,\\sqrt{6}\\,t_{1}\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}-3\\,x_{4}-5\\,a_{3}\\,t_{1}^{2}\\right)}{5\\,t_{1}^{2}} \\\\ a_{4,V,1,x,1} = \\frac{-\\left(9\\,\\sqrt{6}\\,t_{1}\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}-39\\,x_{4}-10\\,a_{3}\\,t_{1}^{2}\\right)}{60} \\\\ a_{4,V,1,t,4} = \\frac{\\sqrt{6}\\,x_{4}}{2\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}}",
     source = "4.1.1 %o141",
-    rules("compensated", "conjugate", "factored", "merge-roots"),
-    bound(v3 = 2.0, v0 = 10.01, a0 = 10.01, x1 = 8.01, t4 = 3.0),
+    rules("compensated", "conjugate", "factored", "gathered", "merge-roots"),
+    bound(v3 = 1.51, v0 = 7.51, a0 = 8.51, x1 = 7.51, t4 = 2.51),
     results(
         v3(worksheet = "a4V1_v3", unit = "m/s"),
         v0(worksheet = "a4V1_v0", unit = "m/s"),
@@ -147,21 +147,25 @@ pub fn quarter_move(
     require!(compensated!((3.0 * x4 + 5.0 * a3 * (t1 * t1)) * (3.0 * x4 + 5.0 * a3 * (t1 * t1)) + 54.0 * a3 * x4 * (t1 * t1)) > 0.0, "(3*x4+5*a3*t1^2)^2+54*a3*x4*t1^2 > 0");
     // compensated
     let cancelling = compensated!(3.0 * x4 + 5.0 * a3 * t1 * t1);
+    // compensated
+    let cancelling2 = compensated!(a3 * t1 * t1 * (84.0 * x4 + 25.0 * a3 * t1 * t1) + 9.0 * x4 * x4);
+    // compensated
+    let cancelling3 = compensated!(39.0 * x4 + 10.0 * a3 * t1 * t1);
+    // compensated
+    let cancelling4 = compensated!(2.0 * a3 * t1 * t1 * (633.0 * x4 + 50.0 * a3 * t1 * t1) + 1521.0 * x4 * x4);
+    // gathered
+    let polynomial = compensated!(-6.0 * x4 * a3);
     // merge-roots
-    let root = sqrt(-6.0 * x4 * a3);
-    // compensated
-    let cancelling2 = compensated!(6.0 * x4 + a3 * t1 * t1);
-    // compensated
-    let cancelling3 = compensated!(a3 * t1 * t1 * (84.0 * x4 + 25.0 * a3 * t1 * t1) + 9.0 * x4 * x4);
-    // compensated
-    let cancelling4 = compensated!(39.0 * x4 + 10.0 * a3 * t1 * t1);
-    // compensated
-    let cancelling5 = compensated!(2.0 * a3 * t1 * t1 * (633.0 * x4 + 50.0 * a3 * t1 * t1) + 1521.0 * x4 * x4);
+    let root = sqrt(polynomial);
+    // gathered
+    let polynomial2 = compensated!(3.0 * x4 * (6.0 * x4 + a3 * t1 * t1));
+    // gathered
+    let polynomial3 = compensated!(5.0 * t1 * t1);
     QuarterMove {
         v3: 0.25 * root,
-        v0: 3.0 * x4 * cancelling2 / (10.0 * t1 * (t1 * root + 6.0 * x4)),
-        a0: cancelling3 / (5.0 * t1 * t1 * (3.0 * t1 * root + cancelling)),
-        x1: cancelling5 / (60.0 * (9.0 * t1 * root + cancelling4)),
+        v0: polynomial2 / (10.0 * t1 * (t1 * root + 6.0 * x4)),
+        a0: cancelling2 / (polynomial3 * (3.0 * t1 * root + cancelling)),
+        x1: cancelling4 / (60.0 * (9.0 * t1 * root + cancelling3)),
         t4: -0.5 * root / a3,
     }
 }
@@ -214,12 +218,12 @@ pub struct ContinuousMove {
 ///
 /// # Error
 ///
-/// - `kv0`: at most 9.51 ulp, barring overflow and underflow
-/// - `kv3`: at most 10.51 ulp, barring overflow and underflow
-/// - `kt4`: at most 8.51 ulp, barring overflow and underflow
-/// - `ka0`: at most 22.01 ulp, barring overflow and underflow
-/// - `ka3`: at most 15.51 ulp, barring overflow and underflow
-/// - `kx1`: at most 23.01 ulp, barring overflow and underflow
+/// - `kv0`: at most 4.51 ulp, barring overflow and underflow
+/// - `kv3`: at most 5.51 ulp, barring overflow and underflow
+/// - `kt4`: at most 5.51 ulp, barring overflow and underflow
+/// - `ka0`: at most 12.01 ulp, barring overflow and underflow
+/// - `ka3`: at most 7.51 ulp, barring overflow and underflow
+/// - `kx1`: at most 13.01 ulp, barring overflow and underflow
 ///
 /// From: 4.3 a4VO2[2] (not shown).
 #[kernel(
@@ -227,8 +231,8 @@ pub struct ContinuousMove {
     maxima = "a4VO2_kv0(Ki,Ko):=-(3*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+6*Ki*Ko+15*Ki^2-30*Ki)/(2*Ko+50*Ki)\na4VO2_kv3(Ki,Ko):=(15*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)-3*Ko^2+(6-48*Ki)*Ko)/(2*Ko+50*Ki)\na4VO2_kt4(Ki,Ko):=-(5*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+Ko^2+(16*Ki-2)*Ko)/(Ko^2+(7*Ki-4)*Ko+6*Ki^2-14*Ki+4)\na4VO2_ka0(Ki,Ko):=((12*Ko+30*Ki-60)*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+(21*Ki+6)*Ko^2+(42*Ki^2-78*Ki-12)*Ko+75*Ki^3-300*Ki^2+300*Ki)/(Ko^2+50*Ki*Ko+625*Ki^2)\na4VO2_ka3(Ki,Ko):=-((30*Ko+480*Ki-60)*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)-3*Ko^3+(12-96*Ki)*Ko^2+(-993*Ki^2+42*Ki-12)*Ko+450*Ki^3-1050*Ki^2+300*Ki)/(Ko^2+50*Ki*Ko+625*Ki^2)\na4VO2_kx1(Ki,Ko):=((Ko-65*Ki-20)*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+(2*Ki+2)*Ko^2+(-101*Ki^2+4*Ki-4)*Ko+275*Ki^3+650*Ki^2+100*Ki)/(2*Ko^2+100*Ki*Ko+1250*Ki^2)",
     latex = "a_{4,\\mathrm{VO},2,\\mathrm{kv},0} = \\frac{-\\left(3\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}+6\\,\\mathrm{Ki}\\,\\mathrm{Ko}+15\\,\\mathrm{Ki}^{2}-30\\,\\mathrm{Ki}\\right)}{2\\,\\mathrm{Ko}+50\\,\\mathrm{Ki}} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{kv},3} = \\frac{15\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}-3\\,\\mathrm{Ko}^{2}+\\left(6-48\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}{2\\,\\mathrm{Ko}+50\\,\\mathrm{Ki}} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{kt},4} = \\frac{-\\left(5\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}+\\mathrm{Ko}^{2}+\\left(16\\,\\mathrm{Ki}-2\\right)\\,\\mathrm{Ko}\\right)}{\\mathrm{Ko}^{2}+\\left(7\\,\\mathrm{Ki}-4\\right)\\,\\mathrm{Ko}+6\\,\\mathrm{Ki}^{2}-14\\,\\mathrm{Ki}+4} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{ka},0} = \\frac{\\left(12\\,\\mathrm{Ko}+30\\,\\mathrm{Ki}-60\\right)\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}+\\left(21\\,\\mathrm{Ki}+6\\right)\\,\\mathrm{Ko}^{2}+\\left(42\\,\\mathrm{Ki}^{2}-78\\,\\mathrm{Ki}-12\\right)\\,\\mathrm{Ko}+75\\,\\mathrm{Ki}^{3}-300\\,\\mathrm{Ki}^{2}+300\\,\\mathrm{Ki}}{\\mathrm{Ko}^{2}+50\\,\\mathrm{Ki}\\,\\mathrm{Ko}+625\\,\\mathrm{Ki}^{2}} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{ka},3} = \\frac{-\\left(\\left(30\\,\\mathrm{Ko}+480\\,\\mathrm{Ki}-60\\right)\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}-3\\,\\mathrm{Ko}^{3}+\\left(12-96\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-993\\right)\\,\\mathrm{Ki}^{2}+42\\,\\mathrm{Ki}-12\\right)\\,\\mathrm{Ko}+450\\,\\mathrm{Ki}^{3}-1050\\,\\mathrm{Ki}^{2}+300\\,\\mathrm{Ki}\\right)}{\\mathrm{Ko}^{2}+50\\,\\mathrm{Ki}\\,\\mathrm{Ko}+625\\,\\mathrm{Ki}^{2}} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{kx},1} = \\frac{\\left(\\mathrm{Ko}-65\\,\\mathrm{Ki}-20\\right)\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}+\\left(2\\,\\mathrm{Ki}+2\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-101\\right)\\,\\mathrm{Ki}^{2}+4\\,\\mathrm{Ki}-4\\right)\\,\\mathrm{Ko}+275\\,\\mathrm{Ki}^{3}+650\\,\\mathrm{Ki}^{2}+100\\,\\mathrm{Ki}}{2\\,\\mathrm{Ko}^{2}+100\\,\\mathrm{Ki}\\,\\mathrm{Ko}+1250\\,\\mathrm{Ki}^{2}}",
     source = "4.3 a4VO2[2] (not shown)",
-    rules("compensated", "conjugate", "factored", "sign-branch", "through-result"),
-    bound(kv0 = 9.51, kv3 = 10.51, kt4 = 8.51, ka0 = 22.01, ka3 = 15.51, kx1 = 23.01),
+    rules("compensated", "conjugate", "factored", "gathered", "sign-branch", "through-result"),
+    bound(kv0 = 4.51, kv3 = 5.51, kt4 = 5.51, ka0 = 12.01, ka3 = 7.51, kx1 = 13.01),
     results(
         kv0(worksheet = "a4VO2_kv0", unit = "1"),
         kv3(worksheet = "a4VO2_kv3", unit = "1"),
@@ -247,40 +251,44 @@ pub fn continuous_move(
     require!(compensated!(2.0 - ko - ki) > 0.0, "Ki+Ko < 2");
     require!(compensated!(6.0 * ki + (ko - 2.0)) > 0.0, "Ko+6*Ki > 2");
     // compensated
-    let cancelling = compensated!(2.0 - ko - ki);
-    // compensated
-    let cancelling2 = compensated!(6.0 * ki + (ko - 2.0));
-    // compensated
-    let cancelling3 = compensated!(2.0 * (5.0 - ko) - 5.0 * ki);
-    // compensated
-    let cancelling4 = compensated!(ki * (3.0 * ko + 14.0 - 6.0 * ki) + 2.0 * (ko - 2.0));
-    let root = sqrt(ki * ko * cancelling4);
-    // factored, conjugate
-    let quotient = 1.5 * ki * (2.0 - ki) * cancelling / (root + cancelling3 * ki);
-    // compensated
-    let cancelling5 = compensated!(16.0 * ki + (ko - 2.0));
-    let sum = 5.0 * root + ko * cancelling5;
-    let product = 4.0 * quotient * quotient;
-    // compensated
-    let cancelling6 = compensated!(
+    let cancelling = compensated!(
         ki * (ki * (331.0 * ko + 350.0 - 150.0 * ki) + 2.0 * (ko - 2.0) * (16.0 * ko + 25.0))
         + ko * (2.0 - ko) * (2.0 - ko)
     );
-    let sum2 = 25.0 * ki + ko;
+    // gathered
+    let polynomial = compensated!(1.5 * ki * (2.0 - ki) * (2.0 - ko - ki));
+    // gathered
+    let polynomial2 = compensated!(ki * ko * (ki * (3.0 * ko + 14.0 - 6.0 * ki) + 2.0 * (ko - 2.0)));
+    let root = sqrt(polynomial2);
+    // gathered
+    let polynomial3 = compensated!((2.0 * (5.0 - ko) - 5.0 * ki) * ki);
+    // factored, conjugate
+    let quotient = polynomial / (root + polynomial3);
+    // gathered
+    let polynomial4 = compensated!(1.5 * ko * (2.0 - ko - ki) * (6.0 * ki + (ko - 2.0)));
+    // gathered
+    let polynomial5 = compensated!(ko * (16.0 * ki + (ko - 2.0)));
+    let sum = 5.0 * root + polynomial5;
+    // gathered
+    let polynomial6 = compensated!((6.0 * ki + (ko - 2.0)) * (2.0 - ko - ki));
+    let product = 4.0 * quotient * quotient;
+    // gathered
+    let polynomial7 = compensated!(-10.0 * (16.0 * ki + (ko - 2.0)));
+    // gathered
+    let polynomial8 = compensated!((25.0 * ki + ko) * (25.0 * ki + ko));
+    // gathered
+    let polynomial9 = compensated!(3.0 * (2.0 - ko - ki) * (2.0 - ko - ki) * (6.0 * ki + (ko - 2.0)) * (6.0 * ki + (ko - 2.0)));
+    // gathered
+    let polynomial10 = compensated!(10.0 * (16.0 * ki + (ko - 2.0)));
     ContinuousMove {
         kv0: quotient,
-        kv3: 1.5 * ko * cancelling * cancelling2 / sum,
-        kt4: sum / (cancelling2 * cancelling),
+        kv3: polynomial4 / sum,
+        kt4: sum / polynomial6,
         ka0: product / (3.0 * ki),
-        ka3: if cancelling6 <= 0.0 {
-            3.0 * (-10.0 * cancelling5 * root + cancelling6) / (sum2 * sum2)
+        ka3: if cancelling <= 0.0 {
+            3.0 * (polynomial7 * root + cancelling) / polynomial8
         } else {
-            3.0
-                * cancelling
-                * cancelling
-                * cancelling2
-                * cancelling2
-                / (10.0 * cancelling5 * root + cancelling6)
+            polynomial9 / (polynomial10 * root + cancelling)
         },
         kx1: (9.0 * ki * (2.0 * quotient + ki) + product) / (18.0 * ki),
     }
@@ -335,12 +343,12 @@ pub struct SymmetricFrame {
 /// # Error
 ///
 /// - `kt4`: at most 2 ulp, barring overflow and underflow
-/// - `kx1`: at most 4 ulp, barring overflow and underflow
-/// - `kv0`: at most 2 ulp, barring overflow and underflow
-/// - `kv3`: at most 6.01 ulp, barring overflow and underflow
-/// - `ka0`: at most 5 ulp, barring overflow and underflow
-/// - `ka3`: at most 9.01 ulp, barring overflow and underflow
-/// - `ko`: at most 4.01 ulp, barring overflow and underflow
+/// - `kx1`: at most 2.01 ulp, barring overflow and underflow
+/// - `kv0`: at most 0.51 ulp, barring overflow and underflow
+/// - `kv3`: at most 3.01 ulp, barring overflow and underflow
+/// - `ka0`: at most 2.01 ulp, barring overflow and underflow
+/// - `ka3`: at most 3.01 ulp, barring overflow and underflow
+/// - `ko`: at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: 4.4 a4VO22.
 #[kernel(
@@ -348,8 +356,8 @@ pub struct SymmetricFrame {
     maxima = "a4VO22_kt4(Ki):=-(2*Ki)/(Ki-1)\na4VO22_kx1(Ki):=-(Ki^2-4*Ki-1)/(8*Ki)\na4VO22_kv0(Ki):=-(3*Ki-3)/4\na4VO22_kv3(Ki):=-(9*Ki^2-12*Ki+3)/(4*Ki+4)\na4VO22_ka0(Ki):=(3*Ki^2-6*Ki+3)/(4*Ki)\na4VO22_ka3(Ki):=(9*Ki^3-21*Ki^2+15*Ki-3)/(4*Ki^2+4*Ki)\na4VO22_Ko(Ki):=(3*Ki^2-Ki)/(Ki+1)",
     latex = "a_{4,\\mathrm{VO},22,\\mathrm{kt},4} = \\frac{-2\\,\\mathrm{Ki}}{\\mathrm{Ki}-1} \\\\ a_{4,\\mathrm{VO},22,\\mathrm{kx},1} = \\frac{-\\left(\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}-1\\right)}{8\\,\\mathrm{Ki}} \\\\ a_{4,\\mathrm{VO},22,\\mathrm{kv},0} = \\frac{-\\left(3\\,\\mathrm{Ki}-3\\right)}{4} \\\\ a_{4,\\mathrm{VO},22,\\mathrm{kv},3} = \\frac{-\\left(9\\,\\mathrm{Ki}^{2}-12\\,\\mathrm{Ki}+3\\right)}{4\\,\\mathrm{Ki}+4} \\\\ a_{4,\\mathrm{VO},22,\\mathrm{ka},0} = \\frac{3\\,\\mathrm{Ki}^{2}-6\\,\\mathrm{Ki}+3}{4\\,\\mathrm{Ki}} \\\\ a_{4,\\mathrm{VO},22,\\mathrm{ka},3} = \\frac{9\\,\\mathrm{Ki}^{3}-21\\,\\mathrm{Ki}^{2}+15\\,\\mathrm{Ki}-3}{4\\,\\mathrm{Ki}^{2}+4\\,\\mathrm{Ki}} \\\\ a_{4,\\mathrm{VO},22,\\mathrm{Ko}} = \\frac{3\\,\\mathrm{Ki}^{2}-\\mathrm{Ki}}{\\mathrm{Ki}+1}",
     source = "4.4 a4VO22",
-    rules("compensated", "factored"),
-    bound(kt4 = 2.0, kx1 = 4.0, kv0 = 2.0, kv3 = 6.01, ka0 = 5.0, ka3 = 9.01, ko = 4.01),
+    rules("compensated", "factored", "gathered"),
+    bound(kt4 = 2.0, kx1 = 2.01, kv0 = 0.51, kv3 = 3.01, ka0 = 2.01, ka3 = 3.01, ko = 3.01),
     results(
         kt4(worksheet = "a4VO22_kt4", unit = "1"),
         kx1(worksheet = "a4VO22_kx1", unit = "1"),
@@ -365,20 +373,27 @@ pub fn symmetric_frame(
 ) -> SymmetricFrame {
     require!(compensated!(3.0 * ki - 1.0) > 0.0, "3*Ki > 1");
     require!(1.0 > ki, "Ki < 1");
-    // compensated
-    let cancelling = compensated!(3.0 * ki - 1.0);
-    let difference = 1.0 - ki;
-    let product = 0.75 * difference;
-    let product2 = 0.75 * cancelling * difference;
     let sum = ki + 1.0;
+    // gathered
+    let polynomial = compensated!(0.125 * (ki * (4.0 - ki) + 1.0));
+    // gathered
+    let polynomial2 = compensated!(0.75 * (3.0 * ki - 1.0) * (1.0 - ki));
+    // gathered
+    let polynomial3 = compensated!(0.75 * (1.0 - ki) * (1.0 - ki));
+    // gathered
+    let polynomial4 = compensated!(0.75 * (3.0 * ki - 1.0) * (1.0 - ki) * (1.0 - ki));
+    // gathered
+    let polynomial5 = compensated!(ki * (ki + 1.0));
+    // gathered
+    let polynomial6 = compensated!((3.0 * ki - 1.0) * ki);
     SymmetricFrame {
-        kt4: 2.0 * ki / difference,
-        kx1: 0.125 * (ki * (4.0 - ki) + 1.0) / ki,
-        kv0: product,
-        kv3: product2 / sum,
-        ka0: product * difference / ki,
-        ka3: product2 * difference / (ki * sum),
-        ko: cancelling * ki / sum,
+        kt4: 2.0 * ki / (1.0 - ki),
+        kx1: polynomial / ki,
+        kv0: compensated!(0.75 * (1.0 - ki)),
+        kv3: polynomial2 / sum,
+        ka0: polynomial3 / ki,
+        ka3: polynomial4 / polynomial5,
+        ko: polynomial6 / sum,
     }
 }
 
@@ -439,12 +454,12 @@ pub struct SymmetricFrameStep {
 ///
 /// - `t_ie_skip`: at most 3 ulp, barring overflow and underflow
 /// - `d2_in`: at most 0.5 ulp, barring overflow and underflow
-/// - `d2_out`: at most 5 ulp, barring overflow and underflow
-/// - `ax2_entry`: at most 7 ulp, barring overflow and underflow
-/// - `v2_in`: at most 4 ulp, barring overflow and underflow
-/// - `v2_out`: at most 8.01 ulp, barring overflow and underflow
-/// - `a2_max`: at most 8 ulp, barring overflow and underflow
-/// - `a3`: at most 12.01 ulp, barring overflow and underflow
+/// - `d2_out`: at most 2.01 ulp, barring overflow and underflow
+/// - `ax2_entry`: at most 3.01 ulp, barring overflow and underflow
+/// - `v2_in`: at most 2.01 ulp, barring overflow and underflow
+/// - `v2_out`: at most 3.01 ulp, barring overflow and underflow
+/// - `a2_max`: at most 3.01 ulp, barring overflow and underflow
+/// - `a3`: at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: 4.4.1 ax2_A4VT.
 #[kernel(
@@ -452,8 +467,8 @@ pub struct SymmetricFrameStep {
     maxima = "A4VT_tIESkip(Ki,tOut,d2Step):=-(2*Ki*tOut)/(Ki-1)\nA4VT_d2In(Ki,tOut,d2Step):=Ki*d2Step/2\nA4VT_d2Out(Ki,tOut,d2Step):=-((Ki^2-4*Ki-1)*d2Step)/(8*Ki)\nA4VT_ax2Entry(Ki,tOut,d2Step):=(1-(3*Ki^2-Ki)/(2*(Ki+1)))*d2Step\nA4VT_v2In(Ki,tOut,d2Step):=-((3*Ki-3)*d2Step)/(4*tOut)\nA4VT_v2Out(Ki,tOut,d2Step):=-((9*Ki^2-12*Ki+3)*d2Step)/((4*Ki+4)*tOut)\nA4VT_a2Max(Ki,tOut,d2Step):=(3*Ki^2-6*Ki+3)*d2Step/(4*Ki*tOut^2)\nA4VT_a3(Ki,tOut,d2Step):=-((9*Ki^3-21*Ki^2+15*Ki-3)*d2Step)/((4*Ki^2+4*Ki)*tOut^2)",
     latex = "A_{4,\\mathrm{VT},\\mathrm{tIESkip}} = \\frac{-2\\,\\mathrm{Ki}\\,t_{\\mathrm{Out}}}{\\mathrm{Ki}-1} \\\\ A_{4,\\mathrm{VT},d,2,\\mathrm{In}} = \\frac{\\mathrm{Ki}\\,d_{2,\\mathrm{Step}}}{2} \\\\ A_{4,\\mathrm{VT},d,2,\\mathrm{Out}} = \\frac{-\\left(\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}-1\\right)\\,d_{2,\\mathrm{Step}}}{8\\,\\mathrm{Ki}} \\\\ A_{4,\\mathrm{VT},\\mathrm{ax},2,\\mathrm{Entry}} = \\left(1-\\frac{3\\,\\mathrm{Ki}^{2}-\\mathrm{Ki}}{2\\,\\left(\\mathrm{Ki}+1\\right)}\\right)\\,d_{2,\\mathrm{Step}} \\\\ A_{4,\\mathrm{VT},v,2,\\mathrm{In}} = \\frac{-\\left(3\\,\\mathrm{Ki}-3\\right)\\,d_{2,\\mathrm{Step}}}{4\\,t_{\\mathrm{Out}}} \\\\ A_{4,\\mathrm{VT},v,2,\\mathrm{Out}} = \\frac{-\\left(9\\,\\mathrm{Ki}^{2}-12\\,\\mathrm{Ki}+3\\right)\\,d_{2,\\mathrm{Step}}}{\\left(4\\,\\mathrm{Ki}+4\\right)\\,t_{\\mathrm{Out}}} \\\\ A_{4,\\mathrm{VT},a,2,\\mathrm{Max}} = \\frac{\\left(3\\,\\mathrm{Ki}^{2}-6\\,\\mathrm{Ki}+3\\right)\\,d_{2,\\mathrm{Step}}}{4\\,\\mathrm{Ki}\\,t_{\\mathrm{Out}}^{2}} \\\\ A_{4,\\mathrm{VT},a,3} = \\frac{-\\left(9\\,\\mathrm{Ki}^{3}-21\\,\\mathrm{Ki}^{2}+15\\,\\mathrm{Ki}-3\\right)\\,d_{2,\\mathrm{Step}}}{\\left(4\\,\\mathrm{Ki}^{2}+4\\,\\mathrm{Ki}\\right)\\,t_{\\mathrm{Out}}^{2}}",
     source = "4.4.1 ax2_A4VT",
-    rules("compensated", "factored"),
-    bound(t_ie_skip = 3.0, d2_in = 0.5, d2_out = 5.0, ax2_entry = 7.0, v2_in = 4.0, v2_out = 8.01, a2_max = 8.0, a3 = 12.01),
+    rules("compensated", "factored", "gathered"),
+    bound(t_ie_skip = 3.0, d2_in = 0.5, d2_out = 2.01, ax2_entry = 3.01, v2_in = 2.01, v2_out = 3.01, a2_max = 3.01, a3 = 3.01),
     results(
         t_ie_skip(worksheet = "A4VT_tIESkip", unit = "s"),
         d2_in(worksheet = "A4VT_d2In", unit = "m"),
@@ -474,22 +489,33 @@ pub fn symmetric_frame_step(
     require!(1.0 > ki, "Ki < 1");
     require!(t_out > 0.0, "tOut > 0");
     require!(d2_step > 0.0, "d2Step > 0");
-    // compensated
-    let cancelling = compensated!(3.0 * ki - 1.0);
-    let difference = 1.0 - ki;
-    let sum = ki + 1.0;
-    let product = 0.75 * d2_step;
-    let product2 = product * difference;
-    let product3 = ki * t_out * t_out;
+    // gathered
+    let polynomial = compensated!(0.125 * d2_step * (ki * (4.0 - ki) + 1.0));
+    // gathered
+    let polynomial2 = compensated!(0.5 * d2_step * (3.0 * ki * (1.0 - ki) + 2.0));
+    // gathered
+    let polynomial3 = compensated!(0.75 * d2_step * (1.0 - ki));
+    // gathered
+    let polynomial4 = compensated!(0.75 * d2_step * (3.0 * ki - 1.0) * (1.0 - ki));
+    // gathered
+    let polynomial5 = compensated!(t_out * (ki + 1.0));
+    // gathered
+    let polynomial6 = compensated!(0.75 * d2_step * (1.0 - ki) * (1.0 - ki));
+    // gathered
+    let polynomial7 = compensated!(ki * t_out * t_out);
+    // gathered
+    let polynomial8 = compensated!(-0.75 * d2_step * (3.0 * ki - 1.0) * (1.0 - ki) * (1.0 - ki));
+    // gathered
+    let polynomial9 = compensated!(ki * t_out * t_out * (ki + 1.0));
     SymmetricFrameStep {
-        t_ie_skip: 2.0 * ki * t_out / difference,
+        t_ie_skip: 2.0 * ki * t_out / (1.0 - ki),
         d2_in: 0.5 * ki * d2_step,
-        d2_out: 0.125 * d2_step * (ki * (4.0 - ki) + 1.0) / ki,
-        ax2_entry: 0.5 * d2_step * (3.0 * ki * difference + 2.0) / sum,
-        v2_in: product2 / t_out,
-        v2_out: product * cancelling * difference / (t_out * sum),
-        a2_max: product2 * difference / product3,
-        a3: -0.75 * d2_step * cancelling * difference * difference / (product3 * sum),
+        d2_out: polynomial / ki,
+        ax2_entry: polynomial2 / (ki + 1.0),
+        v2_in: polynomial3 / t_out,
+        v2_out: polynomial4 / polynomial5,
+        a2_max: polynomial6 / polynomial7,
+        a3: polynomial8 / polynomial9,
     }
 }
 

@@ -47,9 +47,9 @@ pub struct OuterRamp {
 ///
 /// # Error
 ///
-/// - `t0`: at most 8.01 ulp, barring overflow and underflow
-/// - `v0`: at most 9.01 ulp, barring overflow and underflow
-/// - `k`: at most 37.01 ulp, barring overflow and underflow
+/// - `t0`: at most 4.51 ulp, barring overflow and underflow
+/// - `v0`: at most 5.51 ulp, barring overflow and underflow
+/// - `k`: at most 23.01 ulp, barring overflow and underflow
 ///
 /// From: 2.3 s5S2[2].
 #[kernel(
@@ -57,8 +57,8 @@ pub struct OuterRamp {
     maxima = "s5S2_t0(t2,t3,a0,DeltaX):=(sqrt(4*a0^2*t3^2+12*a0^2*t2*t3+9*a0^2*t2^2+48*DeltaX*a0)-6*a0*t3-3*a0*t2)/(4*a0)\ns5S2_v0(t2,t3,a0,DeltaX):=(sqrt(4*a0^2*t3^2+12*a0^2*t2*t3+9*a0^2*t2^2+48*DeltaX*a0)-6*a0*t3-3*a0*t2)/8\ns5S2_K(t2,t3,a0,DeltaX):=(2*a0^2*t2*t3^3+sqrt(4*a0^2*t3^2+12*a0^2*t2*t3+9*a0^2*t2^2+48*DeltaX*a0)*(a0*t2*t3^2-6*DeltaX*t3)+(3*a0^2*t2^2+20*DeltaX*a0)*t3^2-6*DeltaX*a0*t2*t3+24*DeltaX^2)/(12*DeltaX*a0*t2*t3+24*DeltaX^2)",
     latex = "s_{5,S,2,t,0} = \\frac{\\sqrt{4\\,a_{0}^{2}\\,t_{3}^{2}+12\\,a_{0}^{2}\\,t_{2}\\,t_{3}+9\\,a_{0}^{2}\\,t_{2}^{2}+48\\,\\Delta_{X}\\,a_{0}}-6\\,a_{0}\\,t_{3}-3\\,a_{0}\\,t_{2}}{4\\,a_{0}} \\\\ s_{5,S,2,v,0} = \\frac{\\sqrt{4\\,a_{0}^{2}\\,t_{3}^{2}+12\\,a_{0}^{2}\\,t_{2}\\,t_{3}+9\\,a_{0}^{2}\\,t_{2}^{2}+48\\,\\Delta_{X}\\,a_{0}}-6\\,a_{0}\\,t_{3}-3\\,a_{0}\\,t_{2}}{8} \\\\ s_{5,S,2,K} = \\frac{2\\,a_{0}^{2}\\,t_{2}\\,t_{3}^{3}+\\sqrt{4\\,a_{0}^{2}\\,t_{3}^{2}+12\\,a_{0}^{2}\\,t_{2}\\,t_{3}+9\\,a_{0}^{2}\\,t_{2}^{2}+48\\,\\Delta_{X}\\,a_{0}}\\,\\left(a_{0}\\,t_{2}\\,t_{3}^{2}-6\\,\\Delta_{X}\\,t_{3}\\right)+\\left(3\\,a_{0}^{2}\\,t_{2}^{2}+20\\,\\Delta_{X}\\,a_{0}\\right)\\,t_{3}^{2}-6\\,\\Delta_{X}\\,a_{0}\\,t_{2}\\,t_{3}+24\\,\\Delta_{X}^{2}}{12\\,\\Delta_{X}\\,a_{0}\\,t_{2}\\,t_{3}+24\\,\\Delta_{X}^{2}}",
     source = "2.3 s5S2[2]",
-    rules("compensated", "conjugate", "factored", "through-result"),
-    bound(t0 = 8.01, v0 = 9.01, k = 37.01),
+    rules("compensated", "conjugate", "factored", "gathered", "through-result"),
+    bound(t0 = 4.51, v0 = 5.51, k = 23.01),
     results(
         t0(worksheet = "s5S2_t0", unit = "s"),
         v0(worksheet = "s5S2_v0", unit = "m/s"),
@@ -78,15 +78,17 @@ pub fn outer_ramp(
     require!(compensated!(6.0 * delta_x - t3 * a0 * (3.0 * t2 + 4.0 * t3)) > 0.0, "6*DeltaX > a0*t3*(4*t3+3*t2)");
     // compensated
     let cancelling = compensated!(6.0 * delta_x - t3 * a0 * (3.0 * t2 + 4.0 * t3));
-    let product = 2.0 * t3;
-    let sum = 3.0 * t2 + product;
-    let root = sqrt(a0 * (a0 * sum * sum + 48.0 * delta_x));
+    // gathered
+    let polynomial = compensated!(a0 * (a0 * (3.0 * t2 + 2.0 * t3) * (3.0 * t2 + 2.0 * t3) + 48.0 * delta_x));
+    let root = sqrt(polynomial);
+    // gathered
+    let polynomial2 = compensated!(3.0 * a0 * (2.0 * t3 + t2));
     // factored, conjugate
-    let quotient = 2.0 * cancelling / (root + 3.0 * a0 * (product + t2));
+    let quotient = 2.0 * cancelling / (root + polynomial2);
     OuterRamp {
         t0: quotient,
         v0: 0.5 * a0 * quotient,
-        k: quotient * quotient / ((t3 + quotient) * (product + quotient)),
+        k: quotient * quotient / ((t3 + quotient) * (2.0 * t3 + quotient)),
     }
 }
 
@@ -132,9 +134,9 @@ pub struct InnerRamp {
 ///
 /// # Error
 ///
-/// - `t3`: at most 8.01 ulp, barring overflow and underflow
+/// - `t3`: at most 4.51 ulp, barring overflow and underflow
 /// - `v0`: at most 0.5 ulp, barring overflow and underflow
-/// - `k`: at most 21.01 ulp, barring overflow and underflow
+/// - `k`: at most 14.01 ulp, barring overflow and underflow
 ///
 /// From: 2.3 s5S3[1].
 #[kernel(
@@ -142,8 +144,8 @@ pub struct InnerRamp {
     maxima = "s5S3_t3(t0,t2,a0,DeltaX):=(sqrt(9*a0^2*t2^2-12*a0^2*t0*t2+4*a0^2*t0^2+96*DeltaX*a0)-3*a0*t2-6*a0*t0)/(8*a0)\ns5S3_v0(t0,t2,a0,DeltaX):=a0*t0/2\ns5S3_K(t0,t2,a0,DeltaX):=-(a0*t0^2*t2*sqrt(9*a0^2*t2^2-12*a0^2*t0*t2+4*a0^2*t0^2+96*DeltaX*a0)+3*a0^2*t0^2*t2^2-2*a0^2*t0^3*t2+16*DeltaX*a0*t0^2)/(12*DeltaX*a0*t0*t2-48*DeltaX^2)",
     latex = "s_{5,S,3,t,3} = \\frac{\\sqrt{9\\,a_{0}^{2}\\,t_{2}^{2}-12\\,a_{0}^{2}\\,t_{0}\\,t_{2}+4\\,a_{0}^{2}\\,t_{0}^{2}+96\\,\\Delta_{X}\\,a_{0}}-3\\,a_{0}\\,t_{2}-6\\,a_{0}\\,t_{0}}{8\\,a_{0}} \\\\ s_{5,S,3,v,0} = \\frac{a_{0}\\,t_{0}}{2} \\\\ s_{5,S,3,K} = \\frac{-\\left(a_{0}\\,t_{0}^{2}\\,t_{2}\\,\\sqrt{9\\,a_{0}^{2}\\,t_{2}^{2}-12\\,a_{0}^{2}\\,t_{0}\\,t_{2}+4\\,a_{0}^{2}\\,t_{0}^{2}+96\\,\\Delta_{X}\\,a_{0}}+3\\,a_{0}^{2}\\,t_{0}^{2}\\,t_{2}^{2}-2\\,a_{0}^{2}\\,t_{0}^{3}\\,t_{2}+16\\,\\Delta_{X}\\,a_{0}\\,t_{0}^{2}\\right)}{12\\,\\Delta_{X}\\,a_{0}\\,t_{0}\\,t_{2}-48\\,\\Delta_{X}^{2}}",
     source = "2.3 s5S3[1]",
-    rules("compensated", "conjugate", "factored", "same-sign-radicand", "through-result"),
-    bound(t3 = 8.01, v0 = 0.5, k = 21.01),
+    rules("compensated", "conjugate", "factored", "gathered", "same-sign-radicand", "through-result"),
+    bound(t3 = 4.51, v0 = 0.5, k = 14.01),
     results(
         t3(worksheet = "s5S3_t3", unit = "s"),
         v0(worksheet = "s5S3_v0", unit = "m/s"),
@@ -163,11 +165,16 @@ pub fn inner_ramp(
     require!(compensated!(6.0 * delta_x - t0 * a0 * (2.0 * t0 + 3.0 * t2)) > 0.0, "6*DeltaX > a0*t0*(2*t0+3*t2)");
     // compensated
     let cancelling = compensated!(6.0 * delta_x - t0 * a0 * (2.0 * t0 + 3.0 * t2));
-    // factored
-    let product = 3.0 * a0 * (2.0 * t0 + t2);
-    let root = sqrt(product * product + 16.0 * a0 * cancelling);
+    // gathered
+    let polynomial = compensated!(
+        3.0 * a0 * (2.0 * t0 + t2) * (3.0 * a0 * (2.0 * t0 + t2))
+        + 16.0 * a0 * (6.0 * delta_x - t0 * a0 * (2.0 * t0 + 3.0 * t2))
+    );
+    let root = sqrt(polynomial);
+    // gathered
+    let polynomial2 = compensated!(3.0 * a0 * (2.0 * t0 + t2));
     // factored, conjugate
-    let quotient = 2.0 * cancelling / (root + product);
+    let quotient = 2.0 * cancelling / (root + polynomial2);
     InnerRamp {
         t3: quotient,
         v0: 0.5 * t0 * a0,
@@ -204,7 +211,7 @@ pub fn inner_ramp(
 ///
 /// # Error
 ///
-/// - at most 8.01 ulp, barring overflow and underflow
+/// - at most 4.51 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 %o50.
 #[kernel(
@@ -212,8 +219,8 @@ pub fn inner_ramp(
     maxima = "tInFn(tOut,tEdgeTotal,a2Max,d2Step):=sqrt(tOut^2/4+3*tEdgeTotal*tOut/4+9*tEdgeTotal^2/16+3*d2Step/a2Max)-3*tOut/2-3*tEdgeTotal/4",
     latex = "t_{\\mathrm{InFn}} = \\sqrt{\\frac{t_{\\mathrm{Out}}^{2}}{4}+\\frac{3\\,t_{\\mathrm{EdgeTotal}}\\,t_{\\mathrm{Out}}}{4}+\\frac{9\\,t_{\\mathrm{EdgeTotal}}^{2}}{16}+\\frac{3\\,d_{2,\\mathrm{Step}}}{a_{2,\\mathrm{Max}}}}-\\frac{3\\,t_{\\mathrm{Out}}}{2}-\\frac{3\\,t_{\\mathrm{EdgeTotal}}}{4}",
     source = "2.3.1 %o50",
-    rules("compensated", "conjugate", "factored"),
-    bound = 8.01,
+    rules("compensated", "conjugate", "factored", "gathered"),
+    bound = 4.51,
     result(worksheet = "tInFn", unit = "s"),
 )]
 pub fn t_in(
@@ -229,11 +236,16 @@ pub fn t_in(
     require!(compensated!(6.0 * d2_step - t_out * a2_max * (4.0 * t_out + 3.0 * t_edge_total)) > 0.0, "6*d2Step > a2Max*tOut*(4*tOut+3*tEdgeTotal)");
     // compensated
     let cancelling = compensated!(6.0 * d2_step - t_out * a2_max * (4.0 * t_out + 3.0 * t_edge_total));
-    let product = 2.0 * t_out;
-    let sum = product + 3.0 * t_edge_total;
-    let root = sqrt(a2_max * (a2_max * sum * sum + 48.0 * d2_step));
+    // gathered
+    let polynomial = compensated!(
+        a2_max
+        * (a2_max * (2.0 * t_out + 3.0 * t_edge_total) * (2.0 * t_out + 3.0 * t_edge_total) + 48.0 * d2_step)
+    );
+    let root = sqrt(polynomial);
+    // gathered
+    let polynomial2 = compensated!(3.0 * a2_max * (2.0 * t_out + t_edge_total));
     // factored, conjugate
-    2.0 * cancelling / (root + 3.0 * a2_max * (product + t_edge_total))
+    2.0 * cancelling / (root + polynomial2)
 }
 
 /// What [`ramp_in`](fn@ramp_in) returns.
@@ -330,8 +342,8 @@ pub struct RampOut {
 ///
 /// # Error
 ///
-/// - `d2_out`: at most 5 ulp, barring overflow and underflow
-/// - `v2_out`: at most 2 ulp, barring overflow and underflow
+/// - `d2_out`: at most 2.01 ulp, barring overflow and underflow
+/// - `v2_out`: at most 0.51 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 d2OutEq, v2OutEq.
 #[kernel(
@@ -339,8 +351,8 @@ pub struct RampOut {
     maxima = "d2Out(a2Max,tIn,tOut):=a2Max*tOut*(2*tOut+3*tIn)/6\nv2Out(a2Max,tIn,tOut):=a2Max*(tOut+tIn)/2",
     latex = "d_{2,\\mathrm{Out}} = \\frac{a_{2,\\mathrm{Max}}\\,t_{\\mathrm{Out}}\\,\\left(2\\,t_{\\mathrm{Out}}+3\\,t_{\\mathrm{In}}\\right)}{6} \\\\ v_{2,\\mathrm{Out}} = \\frac{a_{2,\\mathrm{Max}}\\,\\left(t_{\\mathrm{Out}}+t_{\\mathrm{In}}\\right)}{2}",
     source = "2.3.1 d2OutEq, v2OutEq",
-    rules("factored"),
-    bound(d2_out = 5.0, v2_out = 2.0),
+    rules("factored", "gathered"),
+    bound(d2_out = 2.01, v2_out = 0.51),
     results(
         d2_out(worksheet = "d2Out", unit = "m"),
         v2_out(worksheet = "v2Out", unit = "m/s"),
@@ -354,9 +366,11 @@ pub fn ramp_out(
     require!(a2_max > 0.0, "a2Max > 0");
     require!(t_in > 0.0, "tIn > 0");
     require!(t_out >= 0.0, "tOut >= 0");
+    // gathered
+    let polynomial = compensated!(a2_max * t_out * (3.0 * t_in + 2.0 * t_out));
     RampOut {
-        d2_out: a2_max * t_out * (3.0 * t_in + 2.0 * t_out) / 6.0,
-        v2_out: 0.5 * a2_max * (t_in + t_out),
+        d2_out: polynomial / 6.0,
+        v2_out: compensated!(0.5 * a2_max * (t_in + t_out)),
     }
 }
 
@@ -474,7 +488,7 @@ pub fn a2_max_of_d2_in(
 ///
 /// # Error
 ///
-/// - at most 5.01 ulp, barring overflow and underflow
+/// - at most 4.51 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 Pre4CSegPlus (second parametrisation).
 #[kernel(
@@ -482,8 +496,8 @@ pub fn a2_max_of_d2_in(
     maxima = "tIn_of_tau(tau,delta,tEFSkip):=sqrt(tau^2+3*delta)-3*tau+3*tEFSkip/2",
     latex = "t_{\\mathrm{In},\\mathrm{of},\\tau} = \\sqrt{\\tau^{2}+3\\,\\delta}-3\\,\\tau+\\frac{3\\,t_{\\mathrm{EFSkip}}}{2}",
     source = "2.3.1 Pre4CSegPlus (second parametrisation)",
-    rules("compensated", "conjugate", "factored", "sign-branch"),
-    bound = 5.01,
+    rules("compensated", "conjugate", "factored", "gathered", "sign-branch"),
+    bound = 4.51,
     result(worksheet = "tIn_of_tau", unit = "s"),
 )]
 pub fn t_in_of_tau(
@@ -495,13 +509,22 @@ pub fn t_in_of_tau(
     require!(delta > 0.0, "delta > 0");
     require!(t_ef_skip >= 0.0, "tEFSkip >= 0");
     require!(compensated!(3.0 * t_ef_skip - 4.0 * tau) > 0.0 || compensated!(12.0 * delta + (8.0 * tau - 3.0 * t_ef_skip) * (3.0 * t_ef_skip - 4.0 * tau)) > 0.0, "4*tau < 3*tEFSkip or 12*delta > (4*tau-3*tEFSkip)*(8*tau-3*tEFSkip)");
-    let sum = -2.0 * tau + t_ef_skip;
-    let root = sqrt(3.0 * delta + tau * tau);
-    let product = 2.0 * root;
     // compensated
     let cancelling = compensated!((3.0 * t_ef_skip - 8.0 * tau) * (3.0 * t_ef_skip - 4.0 * tau) - 12.0 * delta);
+    // gathered
+    let polynomial = compensated!(3.0 * delta + tau * tau);
+    let root = sqrt(polynomial);
+    let product = 2.0 * root;
+    // gathered
+    let polynomial2 = compensated!(3.0 * (-2.0 * tau + t_ef_skip));
+    // gathered
+    let polynomial3 = compensated!(-3.0 * (-2.0 * tau + t_ef_skip));
     // sign-branch
-    if sum >= 0.0 { 0.5 * (product + 3.0 * sum) } else { -0.5 * cancelling / (product + -3.0 * sum) }
+    if -2.0 * tau + t_ef_skip >= 0.0 {
+        0.5 * (product + polynomial2)
+    } else {
+        -0.5 * cancelling / (product + polynomial3)
+    }
 }
 
 /// The tau with which a ramp in of the time tIn makes the step delta, with a constant velocity segment tEFSkip.
@@ -531,7 +554,7 @@ pub fn t_in_of_tau(
 ///
 /// # Error
 ///
-/// - at most 5.01 ulp, barring overflow and underflow
+/// - at most 4.51 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 tauEq.
 #[kernel(
@@ -539,8 +562,8 @@ pub fn t_in_of_tau(
     maxima = "tau_ax2_gen(tIn,tEFSkip,delta):=(sqrt(4*tIn^2-12*tEFSkip*tIn+9*tEFSkip^2+96*delta)-6*tIn+9*tEFSkip)/16",
     latex = "\\tau_{\\mathrm{ax},2,\\mathrm{gen}} = \\frac{\\sqrt{4\\,t_{\\mathrm{In}}^{2}-12\\,t_{\\mathrm{EFSkip}}\\,t_{\\mathrm{In}}+9\\,t_{\\mathrm{EFSkip}}^{2}+96\\,\\delta}-6\\,t_{\\mathrm{In}}+9\\,t_{\\mathrm{EFSkip}}}{16}",
     source = "2.3.1 tauEq",
-    rules("compensated", "conjugate", "factored", "sign-branch"),
-    bound = 5.01,
+    rules("compensated", "conjugate", "factored", "gathered", "sign-branch"),
+    bound = 4.51,
     result(worksheet = "tau_ax2_gen", unit = "s"),
 )]
 pub fn tau_of_t_in(
@@ -559,11 +582,15 @@ pub fn tau_of_t_in(
     let root = sqrt(cancelling2);
     // compensated
     let cancelling3 = compensated!(12.0 * delta - (3.0 * t_ef_skip - 2.0 * t_in) * (3.0 * t_ef_skip - 2.0 * t_in));
+    // gathered
+    let polynomial = compensated!(3.0 * (3.0 * t_ef_skip - 2.0 * t_in));
+    // gathered
+    let polynomial2 = compensated!(-3.0 * (3.0 * t_ef_skip - 2.0 * t_in));
     // sign-branch
     if cancelling >= 0.0 {
-        0.0625 * (root + 3.0 * cancelling)
+        0.0625 * (root + polynomial)
     } else {
-        0.5 * cancelling3 / (root + -3.0 * cancelling)
+        0.5 * cancelling3 / (root + polynomial2)
     }
 }
 
@@ -592,7 +619,7 @@ pub fn tau_of_t_in(
 ///
 /// # Error
 ///
-/// - at most 5.01 ulp, barring overflow and underflow
+/// - at most 4.51 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 rscn_tau_ax2.
 #[kernel(
@@ -600,8 +627,8 @@ pub fn tau_of_t_in(
     maxima = "rscn_tau_ax2(tIn,delta):=(sqrt(tIn^2+24*delta)-3*tIn)/8",
     latex = "\\mathrm{rscn}_{\\tau,\\mathrm{ax},2} = \\frac{\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}-3\\,t_{\\mathrm{In}}}{8}",
     source = "2.3.1 rscn_tau_ax2",
-    rules("compensated", "conjugate", "factored"),
-    bound = 5.01,
+    rules("compensated", "conjugate", "factored", "gathered"),
+    bound = 4.51,
     result(worksheet = "rscn_tau_ax2", unit = "s"),
 )]
 pub fn tau_without_skip(
@@ -613,7 +640,9 @@ pub fn tau_without_skip(
     require!(compensated!(3.0 * delta - t_in * t_in) > 0.0, "3*delta > tIn^2");
     // compensated
     let cancelling = compensated!(3.0 * delta - t_in * t_in);
-    let root = sqrt(24.0 * delta + t_in * t_in);
+    // gathered
+    let polynomial = compensated!(24.0 * delta + t_in * t_in);
+    let root = sqrt(polynomial);
     // factored, conjugate
     cancelling / (root + 3.0 * t_in)
 }
@@ -698,7 +727,7 @@ pub fn delta_of_tau(
 ///
 /// # Error
 ///
-/// - at most 8 ulp, barring overflow and underflow
+/// - at most 2.01 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 %o102.
 #[kernel(
@@ -706,8 +735,8 @@ pub fn delta_of_tau(
     maxima = "o102_delta(tOut,tIn,tEdge,tEFSkip):=(2*tOut+2*tIn+tEdge)*(4*tOut+2*tIn+2*tEdge+3*tEFSkip)/12",
     latex = "o_{102,\\delta} = \\frac{\\left(2\\,t_{\\mathrm{Out}}+2\\,t_{\\mathrm{In}}+t_{\\mathrm{Edge}}\\right)\\,\\left(4\\,t_{\\mathrm{Out}}+2\\,t_{\\mathrm{In}}+2\\,t_{\\mathrm{Edge}}+3\\,t_{\\mathrm{EFSkip}}\\right)}{12}",
     source = "2.3.1 %o102",
-    rules("factored"),
-    bound = 8.0,
+    rules("factored", "gathered"),
+    bound = 2.01,
     result(worksheet = "o102_delta", unit = "s^2"),
 )]
 pub fn delta_of_t_edge(
@@ -720,11 +749,13 @@ pub fn delta_of_t_edge(
     require!(t_in > 0.0, "tIn > 0");
     require!(t_edge >= 0.0, "tEdge >= 0");
     require!(t_ef_skip >= 0.0, "tEFSkip >= 0");
-    let product = 2.0 * t_in;
+    // gathered
+    let polynomial = compensated!(
+        (2.0 * t_out + (2.0 * t_in + t_edge))
+        * (4.0 * t_out + (2.0 * t_in + (2.0 * t_edge + 3.0 * t_ef_skip)))
+    );
     // factored
-    (2.0 * t_out + (product + t_edge))
-        * (4.0 * t_out + (product + (2.0 * t_edge + 3.0 * t_ef_skip)))
-        / 12.0
+    polynomial / 12.0
 }
 
 /// Time at the edge with which ramps of the times tIn and tOut make the step delta, without a constant velocity segment.
@@ -754,7 +785,7 @@ pub fn delta_of_t_edge(
 ///
 /// # Error
 ///
-/// - at most 5.01 ulp, barring overflow and underflow
+/// - at most 4.51 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 rscn_tEdge_ax2.
 #[kernel(
@@ -762,8 +793,8 @@ pub fn delta_of_t_edge(
     maxima = "rscn_tEdge_ax2(tIn,tOut,delta):=(sqrt(tIn^2+24*delta)-3*tIn)/2-2*tOut",
     latex = "\\mathrm{rscn}_{\\mathrm{tEdge},\\mathrm{ax},2} = \\frac{\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}-3\\,t_{\\mathrm{In}}}{2}-2\\,t_{\\mathrm{Out}}",
     source = "2.3.1 rscn_tEdge_ax2",
-    rules("compensated", "conjugate", "factored"),
-    bound = 5.01,
+    rules("compensated", "conjugate", "factored", "gathered"),
+    bound = 4.51,
     result(worksheet = "rscn_tEdge_ax2", unit = "s"),
 )]
 pub fn t_edge_of_t_in(
@@ -777,9 +808,13 @@ pub fn t_edge_of_t_in(
     require!(compensated!(3.0 * delta - (t_in + t_out) * (2.0 * t_out + t_in)) >= 0.0, "3*delta >= (tIn+tOut)*(tIn+2*tOut)");
     // compensated
     let cancelling = compensated!(3.0 * delta - (t_in + t_out) * (2.0 * t_out + t_in));
-    let root = sqrt(24.0 * delta + t_in * t_in);
+    // gathered
+    let polynomial = compensated!(24.0 * delta + t_in * t_in);
+    let root = sqrt(polynomial);
+    // gathered
+    let polynomial2 = compensated!(3.0 * t_in + 4.0 * t_out);
     // factored, conjugate
-    4.0 * cancelling / (root + (3.0 * t_in + 4.0 * t_out))
+    4.0 * cancelling / (root + polynomial2)
 }
 
 /// Largest acceleration with which ramps in of the time tIn make the step d2Step with tau, without a constant velocity segment.
@@ -806,7 +841,7 @@ pub fn t_edge_of_t_in(
 ///
 /// # Error
 ///
-/// - at most 5 ulp, barring overflow and underflow
+/// - at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 %o94.
 #[kernel(
@@ -814,8 +849,8 @@ pub fn t_edge_of_t_in(
     maxima = "a2Max_ax2(d2Step,tau,tIn):=3*d2Step/((2*tau+tIn)*(4*tau+tIn))",
     latex = "a_{2,\\mathrm{Max},\\mathrm{ax},2} = \\frac{3\\,d_{2,\\mathrm{Step}}}{\\left(2\\,\\tau+t_{\\mathrm{In}}\\right)\\,\\left(4\\,\\tau+t_{\\mathrm{In}}\\right)}",
     source = "2.3.1 %o94",
-    rules("factored"),
-    bound = 5.0,
+    rules("factored", "gathered"),
+    bound = 3.01,
     result(worksheet = "a2Max_ax2", unit = "m/s^2"),
 )]
 pub fn a2_max_of_tau(
@@ -826,8 +861,10 @@ pub fn a2_max_of_tau(
     require!(d2_step > 0.0, "d2Step > 0");
     require!(tau >= 0.0, "tau >= 0");
     require!(t_in > 0.0, "tIn > 0");
+    // gathered
+    let polynomial = compensated!((2.0 * tau + t_in) * (4.0 * tau + t_in));
     // factored
-    3.0 * d2_step / ((2.0 * tau + t_in) * (4.0 * tau + t_in))
+    3.0 * d2_step / polynomial
 }
 
 /// Derivative of the largest acceleration by tau, at fixed d2Step and tIn, without a constant velocity segment: always negative.
@@ -852,7 +889,7 @@ pub fn a2_max_of_tau(
 ///
 /// # Error
 ///
-/// - at most 12 ulp, barring overflow and underflow
+/// - at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 %o95.
 #[kernel(
@@ -860,8 +897,8 @@ pub fn a2_max_of_tau(
     maxima = "da2Max_dtau(d2Step,tau,tIn):=-(6*d2Step*(8*tau+3*tIn))/((2*tau+tIn)^2*(4*tau+tIn)^2)",
     latex = "\\mathrm{da}_{2,\\mathrm{Max},\\mathrm{dtau}} = \\frac{-6\\,d_{2,\\mathrm{Step}}\\,\\left(8\\,\\tau+3\\,t_{\\mathrm{In}}\\right)}{\\left(2\\,\\tau+t_{\\mathrm{In}}\\right)^{2}\\,\\left(4\\,\\tau+t_{\\mathrm{In}}\\right)^{2}}",
     source = "2.3.1 %o95",
-    rules("factored"),
-    bound = 12.0,
+    rules("factored", "gathered"),
+    bound = 3.01,
     result(worksheet = "da2Max_dtau", unit = "m/s^3"),
 )]
 pub fn da2_max_dtau(
@@ -872,10 +909,12 @@ pub fn da2_max_dtau(
     require!(d2_step > 0.0, "d2Step > 0");
     require!(tau >= 0.0, "tau >= 0");
     require!(t_in > 0.0, "tIn > 0");
-    let sum = 2.0 * tau + t_in;
-    let sum2 = 4.0 * tau + t_in;
+    // gathered
+    let polynomial = compensated!(-6.0 * d2_step * (8.0 * tau + 3.0 * t_in));
+    // gathered
+    let polynomial2 = compensated!((2.0 * tau + t_in) * (2.0 * tau + t_in) * (4.0 * tau + t_in) * (4.0 * tau + t_in));
     // factored
-    -6.0 * d2_step * (8.0 * tau + 3.0 * t_in) / (sum * sum * sum2 * sum2)
+    polynomial / polynomial2
 }
 
 /// Derivative of tau by the largest acceleration, at fixed d2Step and tIn, where tau = tOut/2+tEdge/4 without a constant velocity segment: always negative.
@@ -902,7 +941,7 @@ pub fn da2_max_dtau(
 ///
 /// # Error
 ///
-/// - at most 17 ulp, barring overflow and underflow
+/// - at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 %o96.
 #[kernel(
@@ -910,8 +949,8 @@ pub fn da2_max_dtau(
     maxima = "dtau_da2Max(d2Step,tOut,tEdge,tIn):=-((2*tOut+tIn+tEdge)^2*(2*tOut+2*tIn+tEdge)^2)/(24*d2Step*(4*tOut+3*tIn+2*tEdge))",
     latex = "\\mathrm{dtau}_{\\mathrm{da},2,\\mathrm{Max}} = \\frac{-\\left(2\\,t_{\\mathrm{Out}}+t_{\\mathrm{In}}+t_{\\mathrm{Edge}}\\right)^{2}\\,\\left(2\\,t_{\\mathrm{Out}}+2\\,t_{\\mathrm{In}}+t_{\\mathrm{Edge}}\\right)^{2}}{24\\,d_{2,\\mathrm{Step}}\\,\\left(4\\,t_{\\mathrm{Out}}+3\\,t_{\\mathrm{In}}+2\\,t_{\\mathrm{Edge}}\\right)}",
     source = "2.3.1 %o96",
-    rules("factored"),
-    bound = 17.0,
+    rules("factored", "gathered"),
+    bound = 3.01,
     result(worksheet = "dtau_da2Max", unit = "s^3/m"),
 )]
 pub fn dtau_da2_max(
@@ -924,11 +963,14 @@ pub fn dtau_da2_max(
     require!(t_out >= 0.0, "tOut >= 0");
     require!(t_edge >= 0.0, "tEdge >= 0");
     require!(t_in > 0.0, "tIn > 0");
-    let product = 2.0 * t_out;
-    let sum = product + (t_edge + t_in);
-    let sum2 = product + (2.0 * t_in + t_edge);
+    // gathered
+    let polynomial = compensated!(
+        -((2.0 * t_out + (2.0 * t_in + t_edge)) * ((2.0 * t_out + (2.0 * t_in + t_edge)) * ((2.0 * t_out + (t_edge + t_in)) * (2.0 * t_out + (t_edge + t_in)))))
+    );
+    // gathered
+    let polynomial2 = compensated!(24.0 * d2_step * (4.0 * t_out + (2.0 * t_edge + 3.0 * t_in)));
     // factored
-    -(sum2 * (sum2 * (sum * sum))) / (24.0 * d2_step * (4.0 * t_out + (2.0 * t_edge + 3.0 * t_in)))
+    polynomial / polynomial2
 }
 
 /// Share K of the four ramps' travel that the two ramps in make, by tIn, delta and a constant velocity segment tEFSkip.
@@ -958,7 +1000,7 @@ pub fn dtau_da2_max(
 ///
 /// # Error
 ///
-/// - at most 9.51 ulp, barring overflow and underflow
+/// - at most 7.51 ulp, barring overflow and underflow
 ///
 /// From: 2.3.1 %o106 to %o109.
 #[kernel(
@@ -966,8 +1008,8 @@ pub fn dtau_da2_max(
     maxima = "K_of_tIn(tIn,tEFSkip,delta):=-(tEFSkip*tIn^2*sqrt(4*tIn^2-12*tEFSkip*tIn+9*tEFSkip^2+96*delta)-2*tEFSkip*tIn^3+3*tEFSkip^2*tIn^2+16*delta*tIn^2)/(12*delta*tEFSkip*tIn-48*delta^2)",
     latex = "K_{\\mathrm{of},\\mathrm{tIn}} = \\frac{-\\left(t_{\\mathrm{EFSkip}}\\,t_{\\mathrm{In}}^{2}\\,\\sqrt{4\\,t_{\\mathrm{In}}^{2}-12\\,t_{\\mathrm{EFSkip}}\\,t_{\\mathrm{In}}+9\\,t_{\\mathrm{EFSkip}}^{2}+96\\,\\delta}-2\\,t_{\\mathrm{EFSkip}}\\,t_{\\mathrm{In}}^{3}+3\\,t_{\\mathrm{EFSkip}}^{2}\\,t_{\\mathrm{In}}^{2}+16\\,\\delta\\,t_{\\mathrm{In}}^{2}\\right)}{12\\,\\delta\\,t_{\\mathrm{EFSkip}}\\,t_{\\mathrm{In}}-48\\,\\delta^{2}}",
     source = "2.3.1 %o106 to %o109",
-    rules("compensated", "factored"),
-    bound = 9.51,
+    rules("compensated", "factored", "gathered"),
+    bound = 7.51,
     result(worksheet = "K_of_tIn", unit = "1"),
 )]
 pub fn k_of_t_in(
@@ -984,8 +1026,8 @@ pub fn k_of_t_in(
     // compensated
     let cancelling2 = compensated!(96.0 * delta + (3.0 * t_ef_skip - 2.0 * t_in) * (3.0 * t_ef_skip - 2.0 * t_in));
     let root = sqrt(cancelling2);
-    // compensated
-    let cancelling3 = compensated!(4.0 * delta - t_in * t_ef_skip);
+    // gathered
+    let polynomial = compensated!(12.0 * delta * (4.0 * delta - t_in * t_ef_skip));
     // factored
-    t_in * t_in * (t_ef_skip * root + cancelling) / (12.0 * delta * cancelling3)
+    t_in * t_in * (t_ef_skip * root + cancelling) / polynomial
 }

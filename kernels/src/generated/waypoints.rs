@@ -432,8 +432,8 @@ pub struct QuadraticCubicQuadraticAtRest {
 /// - `c11`: at most 2 ulp, barring overflow and underflow
 /// - `c21`: at most 2 ulp, barring overflow and underflow
 /// - `c22`: at most 3 ulp, barring overflow and underflow
-/// - `c12`: at most 5.01 ulp, barring overflow and underflow
-/// - `c13`: at most 6.01 ulp, barring overflow and underflow
+/// - `c12`: at most 3.01 ulp, barring overflow and underflow
+/// - `c13`: at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: problem (c), stated there.
 #[kernel(
@@ -441,8 +441,8 @@ pub struct QuadraticCubicQuadraticAtRest {
     maxima = "wp_c_c00(P0,P1,P2,P3,t0,t1,t2):=P0\nwp_c_c10(P0,P1,P2,P3,t0,t1,t2):=P1\nwp_c_c20(P0,P1,P2,P3,t0,t1,t2):=P2\nwp_c_c01(P0,P1,P2,P3,t0,t1,t2):=0\nwp_c_c02(P0,P1,P2,P3,t0,t1,t2):=(P1-P0)/t0^2\nwp_c_c11(P0,P1,P2,P3,t0,t1,t2):=2*(P1-P0)/t0\nwp_c_c21(P0,P1,P2,P3,t0,t1,t2):=2*(P3-P2)/t2\nwp_c_c22(P0,P1,P2,P3,t0,t1,t2):=(P2-P3)/t2^2\nwp_c_c12(P0,P1,P2,P3,t0,t1,t2):=(-4*(P1-P0)*t1*t2+3*(P2-P1)*t0*t2-2*(P3-P2)*t0*t1)/(t0*t1^2*t2)\nwp_c_c13(P0,P1,P2,P3,t0,t1,t2):=(2*(P1-P0)*t1*t2-2*(P2-P1)*t0*t2+2*(P3-P2)*t0*t1)/(t0*t1^3*t2)",
     latex = "\\mathrm{wp}_{c,c,00} = P_{0} \\\\ \\mathrm{wp}_{c,c,10} = P_{1} \\\\ \\mathrm{wp}_{c,c,20} = P_{2} \\\\ \\mathrm{wp}_{c,c,01} = 0 \\\\ \\mathrm{wp}_{c,c,02} = \\frac{P_{1}-P_{0}}{t_{0}^{2}} \\\\ \\mathrm{wp}_{c,c,11} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)}{t_{0}} \\\\ \\mathrm{wp}_{c,c,21} = \\frac{2\\,\\left(P_{3}-P_{2}\\right)}{t_{2}} \\\\ \\mathrm{wp}_{c,c,22} = \\frac{P_{2}-P_{3}}{t_{2}^{2}} \\\\ \\mathrm{wp}_{c,c,12} = \\frac{\\left(-4\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}+3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,t_{2}-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}}{t_{0}\\,t_{1}^{2}\\,t_{2}} \\\\ \\mathrm{wp}_{c,c,13} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}-2\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,t_{2}+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}}{t_{0}\\,t_{1}^{3}\\,t_{2}}",
     source = "problem (c), stated there",
-    rules("compensated", "factored"),
-    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c02 = 3.0, c11 = 2.0, c21 = 2.0, c22 = 3.0, c12 = 5.01, c13 = 6.01),
+    rules("compensated", "factored", "gathered"),
+    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c02 = 3.0, c11 = 2.0, c21 = 2.0, c22 = 3.0, c12 = 3.01, c13 = 3.01),
     results(
         c00(worksheet = "wp_c_c00", unit = "m"),
         c10(worksheet = "wp_c_c10", unit = "m"),
@@ -471,9 +471,12 @@ pub fn quadratic_cubic_quadratic_at_rest(
     let difference = p1 - p0;
     // compensated
     let cancelling = compensated!(t0 * (2.0 * t1 * (p3 - p2) + 3.0 * t2 * (p1 - p2)) + 4.0 * t1 * t2 * (p1 - p0));
-    let product = t0 * t1 * t1;
     // compensated
     let cancelling2 = compensated!(t0 * (t1 * (p3 - p2) + t2 * (p1 - p2)) + t1 * t2 * (p1 - p0));
+    // gathered
+    let polynomial = compensated!(t0 * t1 * t1 * t2);
+    // gathered
+    let polynomial2 = compensated!(t0 * t1 * t1 * t1 * t2);
     QuadraticCubicQuadraticAtRest {
         c00: p0,
         c10: p1,
@@ -483,8 +486,8 @@ pub fn quadratic_cubic_quadratic_at_rest(
         c11: 2.0 * difference / t0,
         c21: 2.0 * (p3 - p2) / t2,
         c22: (p2 - p3) / (t2 * t2),
-        c12: -cancelling / (product * t2),
-        c13: 2.0 * cancelling2 / (product * t1 * t2),
+        c12: -cancelling / polynomial,
+        c13: 2.0 * cancelling2 / polynomial2,
     }
 }
 
@@ -555,13 +558,13 @@ pub struct QuadraticCubicQuadratic {
 /// - `c00`: at most 0 ulp, barring overflow and underflow
 /// - `c10`: at most 0 ulp, barring overflow and underflow
 /// - `c20`: at most 0 ulp, barring overflow and underflow
-/// - `c02`: at most 9.01 ulp, barring overflow and underflow
-/// - `c12`: at most 9.01 ulp, barring overflow and underflow
-/// - `c22`: at most 9.01 ulp, barring overflow and underflow
-/// - `c01`: at most 9.01 ulp, barring overflow and underflow
-/// - `c11`: at most 9.01 ulp, barring overflow and underflow
-/// - `c21`: at most 9.01 ulp, barring overflow and underflow
-/// - `c13`: at most 10.01 ulp, barring overflow and underflow
+/// - `c02`: at most 3.01 ulp, barring overflow and underflow
+/// - `c12`: at most 3.01 ulp, barring overflow and underflow
+/// - `c22`: at most 3.01 ulp, barring overflow and underflow
+/// - `c01`: at most 3.01 ulp, barring overflow and underflow
+/// - `c11`: at most 3.01 ulp, barring overflow and underflow
+/// - `c21`: at most 3.01 ulp, barring overflow and underflow
+/// - `c13`: at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: problem (d), stated there.
 #[kernel(
@@ -569,8 +572,8 @@ pub struct QuadraticCubicQuadratic {
     maxima = "wp_d_c00(P0,P1,P2,P3,t0,t1,t2):=P0\nwp_d_c10(P0,P1,P2,P3,t0,t1,t2):=P1\nwp_d_c20(P0,P1,P2,P3,t0,t1,t2):=P2\nwp_d_c02(P0,P1,P2,P3,t0,t1,t2):=(-(P1-P0)*t1*t2*(3*t2+2*t1)+3*(P2-P1)*t0*t2*(t2+t1)-(P3-P2)*t0*t1^2)/(t0*t1*t2*(2*t1*t2+3*t0*t2+t1^2+2*t0*t1))\nwp_d_c12(P0,P1,P2,P3,t0,t1,t2):=(-(P1-P0)*t1*t2*(3*t2+2*t1)+3*(P2-P1)*t0*t2*(t2+t1)-(P3-P2)*t0*t1^2)/(t0*t1*t2*(2*t1*t2+3*t0*t2+t1^2+2*t0*t1))\nwp_d_c22(P0,P1,P2,P3,t0,t1,t2):=((P1-P0)*t1^2*t2-3*(P2-P1)*t0*(t1+t0)*t2+(P3-P2)*t0*t1*(2*t1+3*t0))/(t0*t1*t2*(2*t1*t2+3*t0*t2+t1^2+2*t0*t1))\nwp_d_c01(P0,P1,P2,P3,t0,t1,t2):=((P1-P0)*t1*t2*(2*t1*t2+6*t0*t2+t1^2+4*t0*t1)-3*(P2-P1)*t0^2*t2*(t2+t1)+(P3-P2)*t0^2*t1^2)/(t0*t1*t2*(2*t1*t2+3*t0*t2+t1^2+2*t0*t1))\nwp_d_c11(P0,P1,P2,P3,t0,t1,t2):=((P1-P0)*t1^2*t2*(2*t2+t1)+3*(P2-P1)*t0^2*t2*(t2+t1)-(P3-P2)*t0^2*t1^2)/(t0*t1*t2*(2*t1*t2+3*t0*t2+t1^2+2*t0*t1))\nwp_d_c21(P0,P1,P2,P3,t0,t1,t2):=(-(P1-P0)*t1^2*t2^2+3*(P2-P1)*t0*(t1+t0)*t2^2+(P3-P2)*t0*t1^2*(t1+2*t0))/(t0*t1*t2*(2*t1*t2+3*t0*t2+t1^2+2*t0*t1))\nwp_d_c13(P0,P1,P2,P3,t0,t1,t2):=(-(P2-P1)*t0*t2*(t2+2*t1+t0)+(P1-P0)*t1*t2*(t2+t1)+(P3-P2)*t0*t1*(t1+t0))/(t0*t1^2*t2*(2*t1*t2+3*t0*t2+t1^2+2*t0*t1))",
     latex = "\\mathrm{wp}_{d,c,00} = P_{0} \\\\ \\mathrm{wp}_{d,c,10} = P_{1} \\\\ \\mathrm{wp}_{d,c,20} = P_{2} \\\\ \\mathrm{wp}_{d,c,02} = \\frac{\\left(-\\left(P_{1}-P_{0}\\right)\\right)\\,t_{1}\\,t_{2}\\,\\left(3\\,t_{2}+2\\,t_{1}\\right)+3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+t_{1}\\right)-\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{d,c,12} = \\frac{\\left(-\\left(P_{1}-P_{0}\\right)\\right)\\,t_{1}\\,t_{2}\\,\\left(3\\,t_{2}+2\\,t_{1}\\right)+3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+t_{1}\\right)-\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{d,c,22} = \\frac{\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}-3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(t_{1}+t_{0}\\right)\\,t_{2}+\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(2\\,t_{1}+3\\,t_{0}\\right)}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{d,c,01} = \\frac{\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+6\\,t_{0}\\,t_{2}+t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)-3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+t_{1}\\right)+\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{d,c,11} = \\frac{\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}\\,\\left(2\\,t_{2}+t_{1}\\right)+3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+t_{1}\\right)-\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{d,c,21} = \\frac{\\left(-\\left(P_{1}-P_{0}\\right)\\right)\\,t_{1}^{2}\\,t_{2}^{2}+3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(t_{1}+t_{0}\\right)\\,t_{2}^{2}+\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}\\,\\left(t_{1}+2\\,t_{0}\\right)}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{d,c,13} = \\frac{\\left(-\\left(P_{2}-P_{1}\\right)\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+2\\,t_{1}+t_{0}\\right)+\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(t_{2}+t_{1}\\right)+\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(t_{1}+t_{0}\\right)}{t_{0}\\,t_{1}^{2}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}",
     source = "problem (d), stated there",
-    rules("compensated", "factored"),
-    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c02 = 9.01, c12 = 9.01, c22 = 9.01, c01 = 9.01, c11 = 9.01, c21 = 9.01, c13 = 10.01),
+    rules("compensated", "factored", "gathered"),
+    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c02 = 3.01, c12 = 3.01, c22 = 3.01, c01 = 3.01, c11 = 3.01, c21 = 3.01, c13 = 3.01),
     results(
         c00(worksheet = "wp_d_c00", unit = "m"),
         c10(worksheet = "wp_d_c10", unit = "m"),
@@ -601,11 +604,6 @@ pub fn quadratic_cubic_quadratic(
         t2 * (3.0 * t0 * (p1 - p2) * (t1 + t2) + t1 * (p1 - p0) * (2.0 * t1 + 3.0 * t2))
         + t0 * t1 * t1 * (p3 - p2)
     );
-    let product = t0 * t1;
-    let sum = t1 * (2.0 * t0 + (2.0 * t2 + t1)) + 3.0 * t0 * t2;
-    let product2 = product * t2 * sum;
-    // factored
-    let quotient = -cancelling / product2;
     // compensated
     let cancelling2 = compensated!(
         t2 * (3.0 * t0 * (p1 - p2) * (t0 + t1) + t1 * t1 * (p1 - p0))
@@ -631,17 +629,23 @@ pub fn quadratic_cubic_quadratic(
         t0 * (t2 * (p1 - p2) * (t0 + (2.0 * t1 + t2)) + t1 * (p3 - p2) * (t0 + t1))
         + t1 * t2 * (p1 - p0) * (t1 + t2)
     );
+    // gathered
+    let polynomial = compensated!(t0 * t1 * t2 * (t1 * (2.0 * t0 + (2.0 * t2 + t1)) + 3.0 * t0 * t2));
+    // factored
+    let quotient = -cancelling / polynomial;
+    // gathered
+    let polynomial2 = compensated!(t0 * t1 * t1 * t2 * (t1 * (2.0 * t0 + (2.0 * t2 + t1)) + 3.0 * t0 * t2));
     QuadraticCubicQuadratic {
         c00: p0,
         c10: p1,
         c20: p2,
         c02: quotient,
         c12: quotient,
-        c22: cancelling2 / product2,
-        c01: cancelling3 / product2,
-        c11: -cancelling4 / product2,
-        c21: cancelling5 / product2,
-        c13: cancelling6 / (product * t1 * t2 * sum),
+        c22: cancelling2 / polynomial,
+        c01: cancelling3 / polynomial,
+        c11: -cancelling4 / polynomial,
+        c21: cancelling5 / polynomial,
+        c13: cancelling6 / polynomial2,
     }
 }
 
@@ -719,14 +723,14 @@ pub struct CubicsAtRest {
 /// - `c10`: at most 0 ulp, barring overflow and underflow
 /// - `c20`: at most 0 ulp, barring overflow and underflow
 /// - `c01`: at most 0 ulp, barring overflow and underflow
-/// - `c11`: at most 10.01 ulp, barring overflow and underflow
-/// - `c21`: at most 10.01 ulp, barring overflow and underflow
-/// - `c02`: at most 11.01 ulp, barring overflow and underflow
-/// - `c12`: at most 10.01 ulp, barring overflow and underflow
-/// - `c22`: at most 10.01 ulp, barring overflow and underflow
-/// - `c03`: at most 11.01 ulp, barring overflow and underflow
-/// - `c13`: at most 10.01 ulp, barring overflow and underflow
-/// - `c23`: at most 11.01 ulp, barring overflow and underflow
+/// - `c11`: at most 3.01 ulp, barring overflow and underflow
+/// - `c21`: at most 3.01 ulp, barring overflow and underflow
+/// - `c02`: at most 3.01 ulp, barring overflow and underflow
+/// - `c12`: at most 3.01 ulp, barring overflow and underflow
+/// - `c22`: at most 3.01 ulp, barring overflow and underflow
+/// - `c03`: at most 3.01 ulp, barring overflow and underflow
+/// - `c13`: at most 3.01 ulp, barring overflow and underflow
+/// - `c23`: at most 3.01 ulp, barring overflow and underflow
 ///
 /// From: problem (e), stated there.
 #[kernel(
@@ -734,8 +738,8 @@ pub struct CubicsAtRest {
     maxima = "wp_e_c00(P0,P1,P2,P3,t0,t1,t2):=P0\nwp_e_c10(P0,P1,P2,P3,t0,t1,t2):=P1\nwp_e_c20(P0,P1,P2,P3,t0,t1,t2):=P2\nwp_e_c01(P0,P1,P2,P3,t0,t1,t2):=0\nwp_e_c11(P0,P1,P2,P3,t0,t1,t2):=(3*(P2-P1)*t0^2*t2*(t2+2*t1)+6*(P1-P0)*t1^2*t2*(t2+t1)-3*(P3-P2)*t0^2*t1^2)/(t0*t1*t2*(4*t1*t2+3*t0*t2+4*t1^2+4*t0*t1))\nwp_e_c21(P0,P1,P2,P3,t0,t1,t2):=(-3*(P1-P0)*t1^2*t2^2+3*(P2-P1)*t0*(2*t1+t0)*t2^2+6*(P3-P2)*t0*t1^2*(t1+t0))/(t0*t1*t2*(4*t1*t2+3*t0*t2+4*t1^2+4*t0*t1))\nwp_e_c02(P0,P1,P2,P3,t0,t1,t2):=(3*(P1-P0)*t1*t2*(2*t1*t2+3*t0*t2+2*t1^2+4*t0*t1)-3*(P2-P1)*t0^2*t2*(t2+2*t1)+3*(P3-P2)*t0^2*t1^2)/(t0^2*t1*t2*(4*t1*t2+3*t0*t2+4*t1^2+4*t0*t1))\nwp_e_c12(P0,P1,P2,P3,t0,t1,t2):=(-3*(P1-P0)*t1*t2*(3*t2+4*t1)+6*(P2-P1)*t0*t2*(t2+2*t1)-6*(P3-P2)*t0*t1^2)/(t0*t1*t2*(4*t1*t2+3*t0*t2+4*t1^2+4*t0*t1))\nwp_e_c22(P0,P1,P2,P3,t0,t1,t2):=(6*(P1-P0)*t1^2*t2-6*(P2-P1)*t0*(2*t1+t0)*t2+3*(P3-P2)*t0*t1*(4*t1+3*t0))/(t0*t1*t2*(4*t1*t2+3*t0*t2+4*t1^2+4*t0*t1))\nwp_e_c03(P0,P1,P2,P3,t0,t1,t2):=(-2*(P1-P0)*t1*t2*(t1*t2+3*t0*t2+t1^2+4*t0*t1)+3*(P2-P1)*t0^2*t2*(t2+2*t1)-3*(P3-P2)*t0^2*t1^2)/(t0^3*t1*t2*(4*t1*t2+3*t0*t2+4*t1^2+4*t0*t1))\nwp_e_c13(P0,P1,P2,P3,t0,t1,t2):=(-2*(P2-P1)*t0*t2*(t2+4*t1+t0)+3*(P1-P0)*t1*t2*(t2+2*t1)+3*(P3-P2)*t0*t1*(2*t1+t0))/(t0*t1^2*t2*(4*t1*t2+3*t0*t2+4*t1^2+4*t0*t1))\nwp_e_c23(P0,P1,P2,P3,t0,t1,t2):=(-3*(P1-P0)*t1^2*t2^2+3*(P2-P1)*t0*(2*t1+t0)*t2^2-2*(P3-P2)*t0*t1*(4*t1*t2+3*t0*t2+t1^2+t0*t1))/(t0*t1*t2^3*(4*t1*t2+3*t0*t2+4*t1^2+4*t0*t1))",
     latex = "\\mathrm{wp}_{e,c,00} = P_{0} \\\\ \\mathrm{wp}_{e,c,10} = P_{1} \\\\ \\mathrm{wp}_{e,c,20} = P_{2} \\\\ \\mathrm{wp}_{e,c,01} = 0 \\\\ \\mathrm{wp}_{e,c,11} = \\frac{3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+2\\,t_{1}\\right)+6\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}\\,\\left(t_{2}+t_{1}\\right)-3\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(4\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+4\\,t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{e,c,21} = \\frac{\\left(-3\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}+3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(2\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}+6\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}\\,\\left(t_{1}+t_{0}\\right)}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(4\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+4\\,t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{e,c,02} = \\frac{3\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+2\\,t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)-3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+2\\,t_{1}\\right)+3\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}^{2}\\,t_{1}\\,t_{2}\\,\\left(4\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+4\\,t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{e,c,12} = \\frac{\\left(-3\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(3\\,t_{2}+4\\,t_{1}\\right)+6\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+2\\,t_{1}\\right)-6\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(4\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+4\\,t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{e,c,22} = \\frac{6\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}-6\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(2\\,t_{1}+t_{0}\\right)\\,t_{2}+3\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(4\\,t_{1}+3\\,t_{0}\\right)}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(4\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+4\\,t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{e,c,03} = \\frac{\\left(-2\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)+3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+2\\,t_{1}\\right)-3\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}^{3}\\,t_{1}\\,t_{2}\\,\\left(4\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+4\\,t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{e,c,13} = \\frac{\\left(-2\\right)\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+4\\,t_{1}+t_{0}\\right)+3\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(t_{2}+2\\,t_{1}\\right)+3\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(2\\,t_{1}+t_{0}\\right)}{t_{0}\\,t_{1}^{2}\\,t_{2}\\,\\left(4\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+4\\,t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{e,c,23} = \\frac{\\left(-3\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}+3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(2\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(4\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+t_{1}^{2}+t_{0}\\,t_{1}\\right)}{t_{0}\\,t_{1}\\,t_{2}^{3}\\,\\left(4\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+4\\,t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)}",
     source = "problem (e), stated there",
-    rules("compensated", "factored"),
-    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c11 = 10.01, c21 = 10.01, c02 = 11.01, c12 = 10.01, c22 = 10.01, c03 = 11.01, c13 = 10.01, c23 = 11.01),
+    rules("compensated", "factored", "gathered"),
+    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c11 = 3.01, c21 = 3.01, c02 = 3.01, c12 = 3.01, c22 = 3.01, c03 = 3.01, c13 = 3.01, c23 = 3.01),
     results(
         c00(worksheet = "wp_e_c00", unit = "m"),
         c10(worksheet = "wp_e_c10", unit = "m"),
@@ -765,62 +769,67 @@ pub fn cubics_at_rest(
     require!(t2 > 0.0, "t2 > 0");
     // compensated
     let cancelling = compensated!(
-        t0 * t0 * (t2 * (p1 - p2) * (2.0 * t1 + t2) + t1 * t1 * (p3 - p2))
-        + 2.0 * t1 * t1 * t2 * (p0 - p1) * (t1 + t2)
-    );
-    let product = t0 * t1;
-    let product2 = product * t2;
-    let sum = 4.0 * t1 * (t0 + (t1 + t2)) + 3.0 * t0 * t2;
-    let product3 = product2 * sum;
-    // compensated
-    let cancelling2 = compensated!(
-        t2 * t2 * (t0 * (p2 - p1) * (2.0 * t1 + t0) + t1 * t1 * (p0 - p1))
-        + 2.0 * t0 * t1 * t1 * (p3 - p2) * (t0 + t1)
-    );
-    // compensated
-    let cancelling3 = compensated!(
-        t2 * (t0 * (t0 * (p1 - p2) * (2.0 * t1 + t2) + t1 * (p1 - p0) * (4.0 * t1 + 3.0 * t2)) + 2.0 * t1 * t1 * (p1 - p0) * (t1 + t2))
-        + t0 * t0 * t1 * t1 * (p3 - p2)
-    );
-    let product4 = t0 * t0;
-    // compensated
-    let cancelling4 = compensated!(
-        2.0 * t0 * (t2 * (p1 - p2) * (2.0 * t1 + t2) + t1 * t1 * (p3 - p2))
-        + t1 * t2 * (p1 - p0) * (4.0 * t1 + 3.0 * t2)
-    );
-    // compensated
-    let cancelling5 = compensated!(
-        2.0 * t2 * (t0 * (p1 - p2) * (2.0 * t1 + t0) + t1 * t1 * (p1 - p0))
-        + t0 * t1 * (p3 - p2) * (3.0 * t0 + 4.0 * t1)
-    );
-    // compensated
-    let cancelling6 = compensated!(
         t0 * (3.0 * t0 * (t2 * (p1 - p2) * (2.0 * t1 + t2) + t1 * t1 * (p3 - p2)) + 2.0 * t1 * t2 * (p1 - p0) * (4.0 * t1 + 3.0 * t2))
         + 2.0 * t1 * t1 * t2 * (p1 - p0) * (t1 + t2)
     );
     // compensated
-    let cancelling7 = compensated!(
+    let cancelling2 = compensated!(
         t0 * (2.0 * t2 * (p1 - p2) * (t0 + (4.0 * t1 + t2)) + 3.0 * t1 * (p3 - p2) * (2.0 * t1 + t0))
         + 3.0 * t1 * t2 * (p1 - p0) * (2.0 * t1 + t2)
     );
     // compensated
-    let cancelling8 = compensated!(
+    let cancelling3 = compensated!(
         t2 * (3.0 * t2 * (t0 * (p1 - p2) * (2.0 * t1 + t0) + t1 * t1 * (p1 - p0)) + 2.0 * t0 * t1 * (p3 - p2) * (3.0 * t0 + 4.0 * t1))
         + 2.0 * t0 * t1 * t1 * (p3 - p2) * (t0 + t1)
     );
+    // gathered
+    let polynomial = compensated!(
+        -3.0
+        * (t0 * t0 * (t2 * (p1 - p2) * (2.0 * t1 + t2) + t1 * t1 * (p3 - p2)) + 2.0 * t1 * t1 * t2 * (p0 - p1) * (t1 + t2))
+    );
+    // gathered
+    let polynomial2 = compensated!(t0 * t1 * t2 * (4.0 * t1 * (t0 + (t1 + t2)) + 3.0 * t0 * t2));
+    // gathered
+    let polynomial3 = compensated!(
+        3.0
+        * (t2 * t2 * (t0 * (p2 - p1) * (2.0 * t1 + t0) + t1 * t1 * (p0 - p1)) + 2.0 * t0 * t1 * t1 * (p3 - p2) * (t0 + t1))
+    );
+    // gathered
+    let polynomial4 = compensated!(
+        3.0
+        * (t2 * (t0 * (t0 * (p1 - p2) * (2.0 * t1 + t2) + t1 * (p1 - p0) * (4.0 * t1 + 3.0 * t2)) + 2.0 * t1 * t1 * (p1 - p0) * (t1 + t2)) + t0 * t0 * t1 * t1 * (p3 - p2))
+    );
+    // gathered
+    let polynomial5 = compensated!(t0 * t0 * t1 * t2 * (4.0 * t1 * (t0 + (t1 + t2)) + 3.0 * t0 * t2));
+    // gathered
+    let polynomial6 = compensated!(
+        -3.0
+        * (2.0 * t0 * (t2 * (p1 - p2) * (2.0 * t1 + t2) + t1 * t1 * (p3 - p2)) + t1 * t2 * (p1 - p0) * (4.0 * t1 + 3.0 * t2))
+    );
+    // gathered
+    let polynomial7 = compensated!(
+        3.0
+        * (2.0 * t2 * (t0 * (p1 - p2) * (2.0 * t1 + t0) + t1 * t1 * (p1 - p0)) + t0 * t1 * (p3 - p2) * (3.0 * t0 + 4.0 * t1))
+    );
+    // gathered
+    let polynomial8 = compensated!(t0 * t0 * t0 * t1 * t2 * (4.0 * t1 * (t0 + (t1 + t2)) + 3.0 * t0 * t2));
+    // gathered
+    let polynomial9 = compensated!(t0 * t1 * t1 * t2 * (4.0 * t1 * (t0 + (t1 + t2)) + 3.0 * t0 * t2));
+    // gathered
+    let polynomial10 = compensated!(t0 * t1 * t2 * t2 * t2 * (4.0 * t1 * (t0 + (t1 + t2)) + 3.0 * t0 * t2));
     CubicsAtRest {
         c00: p0,
         c10: p1,
         c20: p2,
         c01: 0.0,
-        c11: -3.0 * cancelling / product3,
-        c21: 3.0 * cancelling2 / product3,
-        c02: 3.0 * cancelling3 / (product4 * t1 * t2 * sum),
-        c12: -3.0 * cancelling4 / product3,
-        c22: 3.0 * cancelling5 / product3,
-        c03: -cancelling6 / (product4 * t0 * t1 * t2 * sum),
-        c13: cancelling7 / (product * t1 * t2 * sum),
-        c23: -cancelling8 / (product2 * t2 * t2 * sum),
+        c11: polynomial / polynomial2,
+        c21: polynomial3 / polynomial2,
+        c02: polynomial4 / polynomial5,
+        c12: polynomial6 / polynomial2,
+        c22: polynomial7 / polynomial2,
+        c03: -cancelling / polynomial8,
+        c13: cancelling2 / polynomial9,
+        c23: -cancelling3 / polynomial10,
     }
 }
 
@@ -903,15 +912,15 @@ pub struct QuarticCubicQuarticAtRest {
 /// - `c20`: at most 0 ulp, barring overflow and underflow
 /// - `c01`: at most 0 ulp, barring overflow and underflow
 /// - `c02`: at most 0 ulp, barring overflow and underflow
-/// - `c11`: at most 25.01 ulp, barring overflow and underflow
-/// - `c21`: at most 25.01 ulp, barring overflow and underflow
-/// - `c12`: at most 26.01 ulp, barring overflow and underflow
-/// - `c22`: at most 26.01 ulp, barring overflow and underflow
-/// - `c03`: at most 23.01 ulp, barring overflow and underflow
-/// - `c13`: at most 24.01 ulp, barring overflow and underflow
-/// - `c23`: at most 23.01 ulp, barring overflow and underflow
-/// - `c04`: at most 22.01 ulp, barring overflow and underflow
-/// - `c24`: at most 22.01 ulp, barring overflow and underflow
+/// - `c11`: at most 4.01 ulp, barring overflow and underflow
+/// - `c21`: at most 4.01 ulp, barring overflow and underflow
+/// - `c12`: at most 4.01 ulp, barring overflow and underflow
+/// - `c22`: at most 4.01 ulp, barring overflow and underflow
+/// - `c03`: at most 4.01 ulp, barring overflow and underflow
+/// - `c13`: at most 4.01 ulp, barring overflow and underflow
+/// - `c23`: at most 4.01 ulp, barring overflow and underflow
+/// - `c04`: at most 4.01 ulp, barring overflow and underflow
+/// - `c24`: at most 4.01 ulp, barring overflow and underflow
 ///
 /// From: problem (f), stated there.
 #[kernel(
@@ -919,8 +928,8 @@ pub struct QuarticCubicQuarticAtRest {
     maxima = "wp_f_c00(P0,P1,P2,P3,t0,t1,t2):=P0\nwp_f_c10(P0,P1,P2,P3,t0,t1,t2):=P1\nwp_f_c20(P0,P1,P2,P3,t0,t1,t2):=P2\nwp_f_c01(P0,P1,P2,P3,t0,t1,t2):=0\nwp_f_c02(P0,P1,P2,P3,t0,t1,t2):=0\nwp_f_c11(P0,P1,P2,P3,t0,t1,t2):=(2*(P1-P0)*t1^2*t2*(2*t2+3*t1)+(P2-P1)*t0^2*t2*(t2+3*t1)-2*(P3-P2)*t0^2*t1^2)/(t0*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c21(P0,P1,P2,P3,t0,t1,t2):=(-2*(P1-P0)*t1^2*t2^2+(P2-P1)*t0*(3*t1+t0)*t2^2+2*(P3-P2)*t0*t1^2*(3*t1+2*t0))/(t0*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c12(P0,P1,P2,P3,t0,t1,t2):=(3*(P2-P1)*t0*t2*(t2+3*t1)-6*(P1-P0)*t1*t2*(t2+2*t1)-6*(P3-P2)*t0*t1^2)/(t0*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c22(P0,P1,P2,P3,t0,t1,t2):=(6*(P1-P0)*t1^2*t2-3*(P2-P1)*t0*(3*t1+t0)*t2+6*(P3-P2)*t0*t1*(2*t1+t0))/(t0*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c03(P0,P1,P2,P3,t0,t1,t2):=(2*(P1-P0)*t1*t2*(2*t1*t2+2*t0*t2+3*t1^2+4*t0*t1)-(P2-P1)*t0^2*t2*(t2+3*t1)+2*(P3-P2)*t0^2*t1^2)/(t0^3*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c13(P0,P1,P2,P3,t0,t1,t2):=(-(P2-P1)*t0*t2*(t2+6*t1+t0)+2*(P1-P0)*t1*t2*(t2+3*t1)+2*(P3-P2)*t0*t1*(3*t1+t0))/(t0*t1^2*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c23(P0,P1,P2,P3,t0,t1,t2):=(-6*(P1-P0)*t1^2*t2^2+3*(P2-P1)*t0*(3*t1+t0)*t2^2-2*(P3-P2)*t0*t1*(8*t1*t2+4*t0*t2+3*t1^2+2*t0*t1))/(t0*t1*t2^3*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c04(P0,P1,P2,P3,t0,t1,t2):=(-(P1-P0)*t1*t2*(2*t1*t2+3*t0*t2+3*t1^2+6*t0*t1)+(P2-P1)*t0^2*t2*(t2+3*t1)-2*(P3-P2)*t0^2*t1^2)/(t0^4*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c24(P0,P1,P2,P3,t0,t1,t2):=(2*(P1-P0)*t1^2*t2^2-(P2-P1)*t0*(3*t1+t0)*t2^2+(P3-P2)*t0*t1*(6*t1*t2+3*t0*t2+3*t1^2+2*t0*t1))/(t0*t1*t2^4*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))",
     latex = "\\mathrm{wp}_{f,c,00} = P_{0} \\\\ \\mathrm{wp}_{f,c,10} = P_{1} \\\\ \\mathrm{wp}_{f,c,20} = P_{2} \\\\ \\mathrm{wp}_{f,c,01} = 0 \\\\ \\mathrm{wp}_{f,c,02} = 0 \\\\ \\mathrm{wp}_{f,c,11} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}\\,\\left(2\\,t_{2}+3\\,t_{1}\\right)+\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,21} = \\frac{\\left(-2\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}+\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}\\,\\left(3\\,t_{1}+2\\,t_{0}\\right)}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,12} = \\frac{3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-6\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(t_{2}+2\\,t_{1}\\right)-6\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,22} = \\frac{6\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}-3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}+6\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(2\\,t_{1}+t_{0}\\right)}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,03} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+2\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)-\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}^{3}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,13} = \\frac{\\left(-\\left(P_{2}-P_{1}\\right)\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+6\\,t_{1}+t_{0}\\right)+2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(3\\,t_{1}+t_{0}\\right)}{t_{0}\\,t_{1}^{2}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,23} = \\frac{\\left(-6\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}+3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(8\\,t_{1}\\,t_{2}+4\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}{t_{0}\\,t_{1}\\,t_{2}^{3}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,04} = \\frac{\\left(-\\left(P_{1}-P_{0}\\right)\\right)\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+6\\,t_{0}\\,t_{1}\\right)+\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}^{4}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,24} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}-\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}+\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(6\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}{t_{0}\\,t_{1}\\,t_{2}^{4}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}",
     source = "problem (f), stated there",
-    rules("compensated", "factored", "one-reciprocal"),
-    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c02 = 0.0, c11 = 25.01, c21 = 25.01, c12 = 26.01, c22 = 26.01, c03 = 23.01, c13 = 24.01, c23 = 23.01, c04 = 22.01, c24 = 22.01),
+    rules("compensated", "factored", "gathered", "one-reciprocal"),
+    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c02 = 0.0, c11 = 4.01, c21 = 4.01, c12 = 4.01, c22 = 4.01, c03 = 4.01, c13 = 4.01, c23 = 4.01, c04 = 4.01, c24 = 4.01),
     results(
         c00(worksheet = "wp_f_c00", unit = "m"),
         c10(worksheet = "wp_f_c10", unit = "m"),
@@ -950,75 +959,61 @@ pub fn quartic_cubic_quartic_at_rest(
     require!(t0 > 0.0, "t0 > 0");
     require!(t1 > 0.0, "t1 > 0");
     require!(t2 > 0.0, "t2 > 0");
-    // compensated
-    let cancelling = compensated!(
-        t0 * t0 * (t2 * (p1 - p2) * (3.0 * t1 + t2) + 2.0 * t1 * t1 * (p3 - p2))
-        + 2.0 * t1 * t1 * t2 * (p0 - p1) * (3.0 * t1 + 2.0 * t2)
-    );
-    // compensated
-    let cancelling2 = compensated!(
-        t2 * t2 * (t0 * (p2 - p1) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p0 - p1))
-        + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1)
-    );
-    // compensated
-    let cancelling3 = compensated!(
-        t2 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 2.0 * t1 * (p1 - p0) * (2.0 * t1 + t2))
-        + 2.0 * t0 * t1 * t1 * (p3 - p2)
-    );
-    // compensated
-    let cancelling4 = compensated!(
-        t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0))
-        + 2.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0)
-    );
-    // compensated
-    let cancelling5 = compensated!(
-        t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 4.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + 2.0 * t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2))
-        + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2)
-    );
-    let product = t0 * t0 * t0;
-    let product2 = product * t1;
-    let product3 = product2 * t2;
-    // compensated
-    let cancelling6 = compensated!(
-        t0 * (t2 * (p1 - p2) * (t0 + (6.0 * t1 + t2)) + 2.0 * t1 * (p3 - p2) * (3.0 * t1 + t0))
-        + 2.0 * t1 * t2 * (p1 - p0) * (3.0 * t1 + t2)
-    );
-    // compensated
-    let cancelling7 = compensated!(
-        t2 * (3.0 * t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 8.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0))
-        + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1)
-    );
-    // compensated
-    let cancelling8 = compensated!(
-        t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 3.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2))
-        + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2)
-    );
-    // compensated
-    let cancelling9 = compensated!(
-        t2 * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 3.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0))
-        + t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1)
-    );
+    let cancelling = compensated!(t0 * t0 * t0 * t0 * t1 * t1 * t2 * t2 * t2 * t2 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
     // one-reciprocal
-    let quotient = 1.0
-        / (product * t0 * t1 * t1 * t2 * t2 * t2 * t2 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
-    let product4 = product3 * t2 * t2;
-    let product5 = quotient * (product4 * cancelling);
-    let product6 = quotient * (product3 * cancelling7);
-    let product7 = quotient * (t1 * t2 * t2 * t2 * cancelling8);
+    let quotient = 1.0 / cancelling;
+    let cancelling2 = compensated!(
+        -(t0 * t0 * (t2 * (p1 - p2) * (3.0 * t1 + t2) + 2.0 * t1 * t1 * (p3 - p2)) + 2.0 * t1 * t1 * t2 * (p0 - p1) * (3.0 * t1 + 2.0 * t2))
+        * (t0 * t0 * t0 * t1 * t2 * t2 * t2)
+    );
+    let cancelling3 = compensated!(
+        (t2 * t2 * (t0 * (p2 - p1) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p0 - p1)) + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
+        * (t0 * t0 * t0 * t1 * t2 * t2 * t2)
+    );
+    let cancelling4 = compensated!(
+        -3.0
+        * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 2.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + 2.0 * t0 * t1 * t1 * (p3 - p2))
+        * (t0 * t0 * t0 * t1 * t2 * t2 * t2)
+    );
+    let cancelling5 = compensated!(
+        3.0
+        * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 2.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0))
+        * (t0 * t0 * t0 * t1 * t2 * t2 * t2)
+    );
+    let cancelling6 = compensated!(
+        (t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 4.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + 2.0 * t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2)) + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2))
+        * (t0 * t1 * t2 * t2 * t2)
+    );
+    let cancelling7 = compensated!(
+        (t0 * (t2 * (p1 - p2) * (t0 + (6.0 * t1 + t2)) + 2.0 * t1 * (p3 - p2) * (3.0 * t1 + t0)) + 2.0 * t1 * t2 * (p1 - p0) * (3.0 * t1 + t2))
+        * (t0 * t0 * t0 * t2 * t2 * t2)
+    );
+    let cancelling8 = compensated!(
+        -(t2 * (3.0 * t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 8.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0)) + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
+        * (t0 * t0 * t0 * t1 * t2)
+    );
+    let cancelling9 = compensated!(
+        -(t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 3.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2)) + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2))
+        * (t1 * t2 * t2 * t2)
+    );
+    let cancelling10 = compensated!(
+        (t2 * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 3.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0)) + t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
+        * (t0 * t0 * t0 * t1)
+    );
     QuarticCubicQuarticAtRest {
         c00: p0,
         c10: p1,
         c20: p2,
         c01: 0.0,
         c02: 0.0,
-        c11: -product5,
-        c21: cancelling2 * product4 * quotient,
-        c12: -3.0 * cancelling3 * product4 * quotient,
-        c22: 3.0 * cancelling4 * product4 * quotient,
-        c03: cancelling5 * (t0 * t1 * t2 * t2 * t2) * quotient,
-        c13: cancelling6 * (product * t2 * t2 * t2) * quotient,
-        c23: -product6,
-        c04: -product7,
-        c24: cancelling9 * product2 * quotient,
+        c11: cancelling2 * quotient,
+        c21: cancelling3 * quotient,
+        c12: cancelling4 * quotient,
+        c22: cancelling5 * quotient,
+        c03: cancelling6 * quotient,
+        c13: cancelling7 * quotient,
+        c23: cancelling8 * quotient,
+        c04: cancelling9 * quotient,
+        c24: cancelling10 * quotient,
     }
 }

@@ -5,6 +5,7 @@ pub mod conjugate;
 pub mod differences_first;
 pub mod factored;
 pub mod falling_newton;
+pub mod gathered;
 pub mod known_sum;
 pub mod merge_roots;
 pub mod one_reciprocal;
@@ -24,12 +25,13 @@ pub struct Rule {
 }
 
 /// Every rule, in alphabetical order.
-pub const ALL: [&Rule; 11] = [
+pub const ALL: [&Rule; 12] = [
     &compensated::RULE,
     &conjugate::RULE,
     &differences_first::RULE,
     &factored::RULE,
     &falling_newton::RULE,
+    &gathered::RULE,
     &known_sum::RULE,
     &merge_roots::RULE,
     &one_reciprocal::RULE,

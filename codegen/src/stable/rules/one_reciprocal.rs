@@ -1,84 +1,104 @@
 //! Rule `one-reciprocal`: quotients whose denominators have factors in common share one division.
 
-use super::Rule;
-use crate::program::{Graph, Node, Op};
+use super::{Rule, gathered};
+use crate::field::Sign;
+use crate::program::{Graph, Node, Op, Wide};
 use crate::stable::builder::Builder;
 use num_rational::BigRational;
 use num_traits::One;
-use std::collections::BTreeMap;
 
 /// The rule.
 pub const RULE: Rule = Rule {
     name: "one-reciprocal",
-    statement: "a/p, b/q, .. = a*(d/p)*r, b*(d/q)*r, .. where d is the least common multiple of p, q, .. and r = 1/d",
-    condition: "the contract asks for one division: it costs each result the roundings of d/p and r",
+    statement: "a/p, b/q, .. = (a*(d/p))*r, (b*(d/q))*r, .. where d is the least common multiple of p, q, .. and r = 1/d",
+    condition: "the contract asks for one division, and a, b, .. p, q, .. are polynomials of the inputs",
 };
 
-/// The powers of the factors of a product.
-type Factors = BTreeMap<Node, usize>;
+/// A quotient of polynomials: the numerator, and the factors of the denominator with their powers.
+struct Quotient {
+    numerator: Wide,
+    denominator: Factors,
+    sign: Sign,
+}
+
+/// Factors in the order in which they are met, and their powers.
+#[derive(Clone, Default)]
+struct Factors(Vec<(Wide, usize)>);
 
 /// The results, those that are quotients through one reciprocal.
 pub fn apply(builder: &mut Builder, results: &[Node]) -> Vec<Node> {
-    let graph = &mut builder.graph;
-    let quotients: Vec<Option<(Node, Node)>> = results.iter().map(|&result| quotient(graph, result)).collect();
-    let mut common = Factors::new();
-    for (_, denominator) in quotients.iter().flatten() {
-        for (factor, power) in factors(graph, *denominator) {
-            let largest = common.entry(factor).or_default();
-            *largest = power.max(*largest);
-        }
-    }
-    if quotients.iter().flatten().count() < 2 {
+    let quotients: Vec<Option<Quotient>> = results.iter().map(|&result| quotient(&builder.graph, result)).collect();
+    let mut common = Factors::default();
+    quotients.iter().flatten().for_each(|quotient| common.take_largest(&quotient.denominator));
+    let Some(whole) = common.product() else { return results.to_vec() };
+    if quotients.iter().flatten().count() < 2 || !gathered::fits(&whole) {
         return results.to_vec();
     }
-    let one = graph.constant(&BigRational::one());
-    let whole = product(graph, &common).unwrap_or(one);
-    let reciprocal = graph.div(one, whole);
+    let one = builder.graph.constant(&BigRational::one());
+    let whole = builder.graph.compensated(whole, Sign::ANY);
+    let reciprocal = builder.graph.div(one, whole);
     builder.apply(&RULE, reciprocal);
-    let graph = &mut builder.graph;
-    let through = |(&result, quotient): (&Node, &Option<(Node, Node)>)| match *quotient {
-        None => result,
-        Some((numerator, denominator)) => {
-            let mut rest = common.clone();
-            for (factor, power) in factors(graph, denominator) {
-                rest.entry(factor).and_modify(|left| *left -= power);
-            }
-            let scaled = match product(graph, &rest) {
-                Some(rest) => graph.mul(numerator, rest),
-                None => numerator,
-            };
-            graph.mul(scaled, reciprocal)
+    let through = |(&result, quotient): (&Node, &Option<Quotient>)| {
+        let Some(quotient) = quotient else { return result };
+        let rest = common.without(&quotient.denominator).product();
+        let scaled = rest.into_iter().fold(quotient.numerator.clone(), |a, b| Wide::Mul(a.into(), b.into()));
+        if !gathered::fits(&scaled) {
+            return result;
         }
+        let scaled = builder.graph.compensated(scaled, Sign::ANY);
+        let value = builder.graph.mul(scaled, reciprocal);
+        builder.graph.learn(value, quotient.sign);
+        value
     };
     results.iter().zip(&quotients).map(through).collect()
 }
 
-/// Numerator and denominator.
-fn quotient(graph: &mut Graph, node: Node) -> Option<(Node, Node)> {
+fn quotient(graph: &Graph, node: Node) -> Option<Quotient> {
     match *graph.op(node) {
-        Op::Div(numerator, denominator) => Some((numerator, denominator)),
+        Op::Div(numerator, denominator) => {
+            let mut factors = Factors::default();
+            factors.insert(graph.polynomial(denominator)?);
+            Some(Quotient { numerator: graph.polynomial(numerator)?, denominator: factors, sign: graph.sign(node) })
+        }
         Op::Neg(inner) => {
-            let (numerator, denominator) = quotient(graph, inner)?;
-            Some((graph.neg(numerator), denominator))
+            let quotient = quotient(graph, inner)?;
+            Some(Quotient { numerator: Wide::Neg(quotient.numerator.into()), sign: graph.sign(node), ..quotient })
         }
         _ => None,
     }
 }
 
-fn factors(graph: &Graph, node: Node) -> Factors {
-    let mut found = Factors::new();
-    let mut open = vec![node];
-    while let Some(node) = open.pop() {
-        match *graph.op(node) {
-            Op::Mul(a, b) => open.extend([a, b]),
-            _ => *found.entry(node).or_default() += 1,
+impl Factors {
+    fn insert(&mut self, wide: Wide) {
+        match wide {
+            Wide::Mul(a, b) => [a, b].into_iter().for_each(|factor| self.insert(*factor)),
+            factor => match self.0.iter_mut().find(|(known, _)| *known == factor) {
+                Some((_, power)) => *power += 1,
+                None => self.0.push((factor, 1)),
+            },
         }
     }
-    found
-}
 
-/// `None` of no factors.
-fn product(graph: &mut Graph, factors: &Factors) -> Option<Node> {
-    let repeated = factors.iter().flat_map(|(&factor, &power)| std::iter::repeat_n(factor, power));
-    repeated.reduce(|a, b| graph.mul(a, b))
+    fn power(&self, factor: &Wide) -> usize {
+        self.0.iter().find(|(known, _)| known == factor).map_or(0, |(_, power)| *power)
+    }
+
+    fn take_largest(&mut self, other: &Self) {
+        for (factor, power) in &other.0 {
+            match self.0.iter_mut().find(|(known, _)| known == factor) {
+                Some((_, largest)) => *largest = (*largest).max(*power),
+                None => self.0.push((factor.clone(), *power)),
+            }
+        }
+    }
+
+    fn without(&self, other: &Self) -> Self {
+        Self(self.0.iter().map(|(factor, power)| (factor.clone(), power - other.power(factor))).collect())
+    }
+
+    /// `None` of no factors.
+    fn product(&self) -> Option<Wide> {
+        let factors = self.0.iter().flat_map(|(factor, power)| std::iter::repeat_n(factor.clone(), *power));
+        factors.reduce(|a, b| Wide::Mul(a.into(), b.into()))
+    }
 }

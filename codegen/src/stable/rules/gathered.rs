@@ -1,0 +1,126 @@
+//! Rule `gathered`: a polynomial of the inputs that takes several roundings becomes one slice.
+
+use super::Rule;
+use crate::program::{Graph, Node, Op, Wide};
+use crate::stable::builder::Builder;
+use std::collections::HashMap;
+
+/// The rule.
+pub const RULE: Rule = Rule {
+    name: "gathered",
+    statement: "steps that make a polynomial of the inputs are evaluated in double-double and rounded once",
+    condition: "a result of the kernel would have a bound of more than 4.5 ulp otherwise: it costs time",
+};
+
+/// A bound that is small enough, in units of 2^-53.
+const ENOUGH: f64 = 4.5;
+
+/// The most terms of a slice, multiplied out, and the most factors of one.
+const LARGEST: (usize, usize) = (2_000, 16);
+
+/// The results, those with many roundings by slices.
+pub fn apply(builder: &mut Builder, results: &[Node]) -> Vec<Node> {
+    let worst = results.iter().map(|&result| builder.graph.error(result)).fold(0.0, f64::max);
+    if worst <= ENOUGH {
+        return results.to_vec();
+    }
+    let mut known = HashMap::new();
+    results.iter().map(|&result| gathered(builder, result, &mut known)).collect()
+}
+
+fn gathered(builder: &mut Builder, node: Node, known: &mut HashMap<Node, Node>) -> Node {
+    if let Some(&done) = known.get(&node) {
+        return done;
+    }
+    let done = match slice(&builder.graph, node) {
+        Some(wide) => {
+            let sign = builder.graph.sign(node);
+            let slice = builder.graph.compensated(wide, sign);
+            builder.apply(&RULE, slice);
+            slice
+        }
+        None => in_parts(builder, node, known),
+    };
+    known.insert(node, done);
+    done
+}
+
+/// The polynomial of a step that takes more than one rounding.
+fn slice(graph: &Graph, node: Node) -> Option<Wide> {
+    // what is one rounding from exact gains nothing
+    let worth = graph.error(node) > 1.5 && !matches!(graph.op(node), Op::Compensated(_));
+    graph.polynomial(node).filter(|wide| worth && fits(wide))
+}
+
+fn in_parts(builder: &mut Builder, node: Node, known: &mut HashMap<Node, Node>) -> Node {
+    let made = match builder.graph.op(node).clone() {
+        Op::Neg(a) => {
+            let a = gathered(builder, a, known);
+            builder.graph.neg(a)
+        }
+        Op::Sqrt(a) => {
+            let a = gathered(builder, a, known);
+            builder.graph.sqrt(a)
+        }
+        Op::Add(a, b) => {
+            let (a, b) = (gathered(builder, a, known), gathered(builder, b, known));
+            let sum = builder.graph.add(a, b);
+            uncancelled(builder, sum, [a, b], node)
+        }
+        Op::Sub(a, b) => {
+            let (a, b) = (gathered(builder, a, known), gathered(builder, b, known));
+            let difference = builder.graph.sub(a, b);
+            uncancelled(builder, difference, [a, b], node)
+        }
+        Op::Mul(a, b) => {
+            let (a, b) = (gathered(builder, a, known), gathered(builder, b, known));
+            builder.graph.mul(a, b)
+        }
+        Op::Div(a, b) => {
+            let (a, b) = (gathered(builder, a, known), gathered(builder, b, known));
+            builder.graph.div(a, b)
+        }
+        Op::If(condition, a, b) => {
+            let (a, b) = (gathered(builder, a, known), gathered(builder, b, known));
+            builder.graph.select(condition, a, b)
+        }
+        _ => return node,
+    };
+    let sign = builder.graph.sign(node);
+    builder.graph.learn(made, sign);
+    let rules = builder.graph.rules(node).to_vec();
+    rules.into_iter().for_each(|rule| builder.graph.mark(made, rule));
+    made
+}
+
+/// A sum that does not cancel, because the sum of the same terms that it stands for does not.
+fn uncancelled(builder: &mut Builder, sum: Node, terms: [Node; 2], before: Node) -> Node {
+    let graph = &mut builder.graph;
+    if graph.error(sum).is_finite() || !graph.error(before).is_finite() {
+        return sum;
+    }
+    let error = terms.map(|term| graph.error(term)).into_iter().fold(0.0, f64::max) + 1.0;
+    graph.with_error(sum, graph.sign(before), error)
+}
+
+/// Whether a slice may be so large.
+pub fn fits(wide: &Wide) -> bool {
+    let (terms, factors) = size(wide);
+    terms <= LARGEST.0 && factors <= LARGEST.1
+}
+
+/// How many terms a slice has when it is multiplied out, and how many factors the longest of them.
+fn size(wide: &Wide) -> (usize, usize) {
+    match wide {
+        Wide::Leaf(_) => (1, 1),
+        Wide::Neg(a) => size(a),
+        Wide::Add(a, b) | Wide::Sub(a, b) => {
+            let (a, b) = (size(a), size(b));
+            (a.0 + b.0, a.1.max(b.1))
+        }
+        Wide::Mul(a, b) => {
+            let (a, b) = (size(a), size(b));
+            (a.0.saturating_mul(b.0), a.1 + b.1)
+        }
+    }
+}
