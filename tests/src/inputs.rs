@@ -8,11 +8,11 @@ use crate::reference::Oracle;
 use crate::scaling::dimensions;
 use crate::zeros::{Zeros, subterms};
 
-/// Inputs other than zero stay within 2^-LIMIT to 2^LIMIT, lest a product of twelve over- or underflows.
-const LIMIT: i32 = 80;
+/// Inputs other than zero stay within 2^-LIMIT to 2^LIMIT, lest a product over- or underflows.
+const LIMIT: i32 = 128;
 
 /// The exponents of `Maker::Wide`.
-const WIDE: f64 = 64.0;
+const WIDE: f64 = 100.0;
 
 /// The exponents of `Maker::Octaves`.
 const OCTAVES: f64 = 20.0;
