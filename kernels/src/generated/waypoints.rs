@@ -866,7 +866,7 @@ pub struct QuarticCubicQuarticAtRest {
     pub c24: f64,
 }
 
-/// Quartic, cubic and quartic segment through four points with continuous velocity and acceleration, at rest and without acceleration at both ends: the coefficients of one coordinate. The time of each begins at 0.
+/// Quartic, cubic and quartic segment through four points with continuous velocity and acceleration, at rest and without acceleration at both ends: the coefficients of one coordinate. The time of each begins at 0. One division serves all coefficients: the highest ones take six more roundings than with a division each.
 ///
 /// ```text
 /// wp_f_c00(P0,P1,P2,P3,t0,t1,t2):=P0
@@ -916,11 +916,11 @@ pub struct QuarticCubicQuarticAtRest {
 /// - `c21`: at most 4.01 ulp, barring overflow and underflow
 /// - `c12`: at most 4.01 ulp, barring overflow and underflow
 /// - `c22`: at most 4.01 ulp, barring overflow and underflow
-/// - `c03`: at most 4.01 ulp, barring overflow and underflow
-/// - `c13`: at most 4.01 ulp, barring overflow and underflow
-/// - `c23`: at most 4.01 ulp, barring overflow and underflow
-/// - `c04`: at most 4.01 ulp, barring overflow and underflow
-/// - `c24`: at most 4.01 ulp, barring overflow and underflow
+/// - `c03`: at most 9.01 ulp, barring overflow and underflow
+/// - `c13`: at most 9.01 ulp, barring overflow and underflow
+/// - `c23`: at most 9.01 ulp, barring overflow and underflow
+/// - `c04`: at most 9.01 ulp, barring overflow and underflow
+/// - `c24`: at most 9.01 ulp, barring overflow and underflow
 ///
 /// From: problem (f), stated there.
 #[kernel(
@@ -929,7 +929,7 @@ pub struct QuarticCubicQuarticAtRest {
     latex = "\\mathrm{wp}_{f,c,00} = P_{0} \\\\ \\mathrm{wp}_{f,c,10} = P_{1} \\\\ \\mathrm{wp}_{f,c,20} = P_{2} \\\\ \\mathrm{wp}_{f,c,01} = 0 \\\\ \\mathrm{wp}_{f,c,02} = 0 \\\\ \\mathrm{wp}_{f,c,11} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}\\,\\left(2\\,t_{2}+3\\,t_{1}\\right)+\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,21} = \\frac{\\left(-2\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}+\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}\\,\\left(3\\,t_{1}+2\\,t_{0}\\right)}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,12} = \\frac{3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-6\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(t_{2}+2\\,t_{1}\\right)-6\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,22} = \\frac{6\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}-3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}+6\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(2\\,t_{1}+t_{0}\\right)}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,03} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+2\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)-\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}^{3}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,13} = \\frac{\\left(-\\left(P_{2}-P_{1}\\right)\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+6\\,t_{1}+t_{0}\\right)+2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(3\\,t_{1}+t_{0}\\right)}{t_{0}\\,t_{1}^{2}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,23} = \\frac{\\left(-6\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}+3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(8\\,t_{1}\\,t_{2}+4\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}{t_{0}\\,t_{1}\\,t_{2}^{3}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,04} = \\frac{\\left(-\\left(P_{1}-P_{0}\\right)\\right)\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+6\\,t_{0}\\,t_{1}\\right)+\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}^{4}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,24} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}-\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}+\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(6\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}{t_{0}\\,t_{1}\\,t_{2}^{4}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}",
     source = "problem (f), stated there",
     rules("compensated", "factored", "gathered", "one-reciprocal"),
-    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c02 = 0.0, c11 = 4.01, c21 = 4.01, c12 = 4.01, c22 = 4.01, c03 = 4.01, c13 = 4.01, c23 = 4.01, c04 = 4.01, c24 = 4.01),
+    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c02 = 0.0, c11 = 4.01, c21 = 4.01, c12 = 4.01, c22 = 4.01, c03 = 9.01, c13 = 9.01, c23 = 9.01, c04 = 9.01, c24 = 9.01),
     results(
         c00(worksheet = "wp_f_c00", unit = "m"),
         c10(worksheet = "wp_f_c10", unit = "m"),
@@ -959,46 +959,51 @@ pub fn quartic_cubic_quartic_at_rest(
     require!(t0 > 0.0, "t0 > 0");
     require!(t1 > 0.0, "t1 > 0");
     require!(t2 > 0.0, "t2 > 0");
-    let cancelling = compensated!(t0 * t0 * t0 * t0 * t1 * t1 * t2 * t2 * t2 * t2 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
+    let cancelling = compensated!(t0 * t0 * t1 * t2 * t2 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
     // one-reciprocal
     let quotient = 1.0 / cancelling;
     let cancelling2 = compensated!(
         -(t0 * t0 * (t2 * (p1 - p2) * (3.0 * t1 + t2) + 2.0 * t1 * t1 * (p3 - p2)) + 2.0 * t1 * t1 * t2 * (p0 - p1) * (3.0 * t1 + 2.0 * t2))
-        * (t0 * t0 * t0 * t1 * t2 * t2 * t2)
+        * (t0 * t2)
     );
     let cancelling3 = compensated!(
         (t2 * t2 * (t0 * (p2 - p1) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p0 - p1)) + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
-        * (t0 * t0 * t0 * t1 * t2 * t2 * t2)
+        * (t0 * t2)
     );
     let cancelling4 = compensated!(
         -3.0
         * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 2.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + 2.0 * t0 * t1 * t1 * (p3 - p2))
-        * (t0 * t0 * t0 * t1 * t2 * t2 * t2)
+        * (t0 * t2)
     );
     let cancelling5 = compensated!(
         3.0
         * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 2.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0))
-        * (t0 * t0 * t0 * t1 * t2 * t2 * t2)
+        * (t0 * t2)
     );
     let cancelling6 = compensated!(
         (t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 4.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + 2.0 * t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2)) + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2))
-        * (t0 * t1 * t2 * t2 * t2)
+        * (t0 * t2)
     );
-    let cancelling7 = compensated!(
-        (t0 * (t2 * (p1 - p2) * (t0 + (6.0 * t1 + t2)) + 2.0 * t1 * (p3 - p2) * (3.0 * t1 + t0)) + 2.0 * t1 * t2 * (p1 - p0) * (3.0 * t1 + t2))
-        * (t0 * t0 * t0 * t2 * t2 * t2)
-    );
+    let cancelling7 = compensated!(t1 * t2 * t2 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
+    let product = cancelling7 * quotient;
     let cancelling8 = compensated!(
-        -(t2 * (3.0 * t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 8.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0)) + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
-        * (t0 * t0 * t0 * t1 * t2)
+        (t0 * (t2 * (p1 - p2) * (t0 + (6.0 * t1 + t2)) + 2.0 * t1 * (p3 - p2) * (3.0 * t1 + t0)) + 2.0 * t1 * t2 * (p1 - p0) * (3.0 * t1 + t2))
+        * (t0 * t2)
     );
-    let cancelling9 = compensated!(
-        -(t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 3.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2)) + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2))
-        * (t1 * t2 * t2 * t2)
-    );
+    let cancelling9 = compensated!(t0 * t0 * t2 * t2 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
     let cancelling10 = compensated!(
+        -(t2 * (3.0 * t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 8.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0)) + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
+        * (t0 * t2)
+    );
+    let cancelling11 = compensated!(t0 * t0 * t1 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
+    let product2 = cancelling11 * quotient;
+    let cancelling12 = compensated!(
+        -(t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 3.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2)) + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2))
+        * t2
+    );
+    let cancelling13 = compensated!(
         (t2 * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 3.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0)) + t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
-        * (t0 * t0 * t0 * t1)
+        * t0
     );
     QuarticCubicQuarticAtRest {
         c00: p0,
@@ -1010,10 +1015,10 @@ pub fn quartic_cubic_quartic_at_rest(
         c21: cancelling3 * quotient,
         c12: cancelling4 * quotient,
         c22: cancelling5 * quotient,
-        c03: cancelling6 * quotient,
-        c13: cancelling7 * quotient,
-        c23: cancelling8 * quotient,
-        c04: cancelling9 * quotient,
-        c24: cancelling10 * quotient,
+        c03: cancelling6 * quotient * product,
+        c13: cancelling8 * quotient * (cancelling9 * quotient),
+        c23: cancelling10 * quotient * product2,
+        c04: cancelling12 * quotient * product,
+        c24: cancelling13 * quotient * product2,
     }
 }

@@ -7,10 +7,12 @@ use crate::stable::builder::Builder;
 use num_rational::BigRational;
 use num_traits::One;
 
-/// The rule.
+/// The rule. The powers of a common denominator are halved because the least common multiple itself soon overflows: of
+/// times of 2^86 s, where the coefficients of a quartic are far from it.
 pub const RULE: Rule = Rule {
     name: "one-reciprocal",
-    statement: "a/p, b/q, .. = (a*(d/p))*r, (b*(d/q))*r, .. where d is the least common multiple of p, q, .. and r = 1/d",
+    statement: "a/p, b/q, .. = (a*(d/p))*r, (b*(d*f/q))*r*s, .. where d has half the powers of the factors of p, q, .., \
+                r = 1/d and, of a factor f that q has more of, s = 1/f = (d/f)*r",
     condition: "the contract asks for one division, and a, b, .. p, q, .. are polynomials of the inputs",
 };
 
@@ -28,10 +30,11 @@ struct Factors(Vec<(Wide, usize)>);
 /// The results, those that are quotients through one reciprocal.
 pub fn apply(builder: &mut Builder, results: &[Node]) -> Vec<Node> {
     let quotients: Vec<Option<Quotient>> = results.iter().map(|&result| quotient(&builder.graph, result)).collect();
-    let mut common = Factors::default();
-    quotients.iter().flatten().for_each(|quotient| common.take_largest(&quotient.denominator));
-    let Some(whole) = common.product() else { return results.to_vec() };
-    if quotients.iter().flatten().count() < 2 || !gathered::fits(&whole) {
+    let mut shared = Factors::default();
+    quotients.iter().flatten().for_each(|quotient| shared.take_largest(&quotient.denominator));
+    shared.0.iter_mut().for_each(|(_, power)| *power = power.div_ceil(2));
+    let Some(whole) = shared.product().filter(gathered::fits) else { return results.to_vec() };
+    if quotients.iter().flatten().count() < 2 {
         return results.to_vec();
     }
     let one = builder.graph.constant(&BigRational::one());
@@ -39,18 +42,45 @@ pub fn apply(builder: &mut Builder, results: &[Node]) -> Vec<Node> {
     let reciprocal = builder.graph.div(one, whole);
     builder.apply(&RULE, reciprocal);
     let through = |(&result, quotient): (&Node, &Option<Quotient>)| {
-        let Some(quotient) = quotient else { return result };
-        let rest = common.without(&quotient.denominator).product();
-        let scaled = rest.into_iter().fold(quotient.numerator.clone(), |a, b| Wide::Mul(a.into(), b.into()));
-        if !gathered::fits(&scaled) {
-            return result;
-        }
-        let scaled = builder.graph.compensated(scaled, Sign::ANY);
-        let value = builder.graph.mul(scaled, reciprocal);
-        builder.graph.learn(value, quotient.sign);
-        value
+        quotient
+            .as_ref()
+            .and_then(|quotient| quotient.through(&mut builder.graph, &shared, reciprocal))
+            .unwrap_or(result)
     };
     results.iter().zip(&quotients).map(through).collect()
+}
+
+impl Quotient {
+    /// The quotient as products with the reciprocal of what is shared; `None` where a numerator grows too long.
+    fn through(&self, graph: &mut Graph, shared: &Factors, reciprocal: Node) -> Option<Node> {
+        let mut rest = Factors::default();
+        let mut inverses = Vec::new();
+        for (factor, power) in &shared.0 {
+            let needed = self.denominator.power(factor);
+            if needed > *power {
+                inverses.push(shared.without(factor).product());
+            }
+            rest.0.push((factor.clone(), if needed > *power { 2 * power } else { *power } - needed));
+        }
+        let scaled = rest.product().into_iter().fold(self.numerator.clone(), |a, b| Wide::Mul(a.into(), b.into()));
+        if !std::iter::once(&scaled).chain(inverses.iter().flatten()).all(gathered::fits) {
+            return None;
+        }
+        let scaled = graph.compensated(scaled, Sign::ANY);
+        let mut value = graph.mul(scaled, reciprocal);
+        for others in inverses {
+            let inverse = match others {
+                Some(others) => {
+                    let others = graph.compensated(others, Sign::ANY);
+                    graph.mul(others, reciprocal)
+                }
+                None => reciprocal,
+            };
+            value = graph.mul(value, inverse);
+        }
+        graph.learn(value, self.sign);
+        Some(value)
+    }
 }
 
 fn quotient(graph: &Graph, node: Node) -> Option<Quotient> {
@@ -92,8 +122,8 @@ impl Factors {
         }
     }
 
-    fn without(&self, other: &Self) -> Self {
-        Self(self.0.iter().map(|(factor, power)| (factor.clone(), power - other.power(factor))).collect())
+    fn without(&self, other: &Wide) -> Self {
+        Self(self.0.iter().filter(|(factor, _)| factor != other).cloned().collect())
     }
 
     /// `None` of no factors.
