@@ -9,6 +9,7 @@ pub mod field;
 pub mod folder;
 pub mod kernel;
 pub mod measure;
+pub mod mutate;
 pub mod pipeline;
 pub mod program;
 pub mod root;

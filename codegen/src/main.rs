@@ -1,7 +1,7 @@
 //! The command `closedform`: reads its arguments and says what went wrong.
 
 use clap::{Parser, Subcommand};
-use closedform_codegen::command::{check, derive, eval, generate, list, show, verify};
+use closedform_codegen::command::{check, derive, eval, generate, list, mutants, show, verify};
 use closedform_codegen::root::{self, project_root};
 use closedform_codegen::worker::{self, Source};
 use std::path::PathBuf;
@@ -27,6 +27,7 @@ enum Command {
     Show(show::Args),
     Eval(eval::Args),
     Verify(verify::Args),
+    Mutants(mutants::Args),
     /// What `generate` and `check` run in a process of its own, because it needs Symbolica
     #[command(name = worker::SUBCOMMAND, hide = true)]
     Worker {
@@ -60,6 +61,7 @@ fn run(cli: Cli) -> miette::Result<()> {
         Command::Show(args) => show::run(&args, &root()?),
         Command::Eval(args) => eval::run(&args, &root()?),
         Command::Verify(args) => verify::run(&args, &root()?),
+        Command::Mutants(args) => mutants::run(&args, &root()?),
         Command::Worker { output, folder, worksheet, kernels } => {
             let source = match (folder, worksheet, kernels) {
                 (_, Some(worksheet), _) => Source::Worksheet(worksheet),

@@ -6,6 +6,7 @@ pub mod description;
 pub mod eval;
 pub mod generate;
 pub mod list;
+pub mod mutants;
 pub mod output;
 pub mod readme;
 pub mod show;

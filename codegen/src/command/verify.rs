@@ -9,9 +9,8 @@ use miette::Diagnostic;
 use thiserror::Error;
 
 use super::output;
-use crate::catalogue::{Catalogue, DomainError, Entry, unit_of};
+use crate::catalogue::{Catalogue, DomainError, Entry};
 use crate::measure::{Measurement, Reference, ReferenceError, ValueError, measure};
-use crate::worksheet::contract::{Input, TYPICAL};
 use crate::worksheet::sample::{EmptyDomain, sample};
 use report::{Replay, Row};
 
@@ -99,7 +98,7 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
 }
 
 fn measured(entry: &Entry, args: &Args, bar: &ProgressBar) -> Result<Measurement, Cause> {
-    let points = sample(&entry.domain()?, &inputs(entry).iter().collect::<Vec<_>>(), args.points as usize, args.seed)?;
+    let points = sample(&entry.domain()?, &entry.inputs().iter().collect::<Vec<_>>(), args.points as usize, args.seed)?;
     let measurement = measure(&entry.kernel, &Reference::of(&entry.kernel)?, &points, || bar.inc(1))?;
     if measurement.covered == 0 {
         return Err(Uncovered { points: points.len() }.into());
@@ -113,7 +112,7 @@ fn measured(entry: &Entry, args: &Args, bar: &ProgressBar) -> Result<Measurement
 ///
 /// When the kernel cannot be measured.
 fn worst_of(entry: &Entry, points: u32) -> miette::Result<f64> {
-    let points = sample(&entry.domain()?, &inputs(entry).iter().collect::<Vec<_>>(), points as usize, 1)?;
+    let points = sample(&entry.domain()?, &entry.inputs().iter().collect::<Vec<_>>(), points as usize, 1)?;
     let measurement = measure(&entry.kernel, &Reference::of(&entry.kernel)?, &points, || ())?;
     Ok(measurement.worst.iter().flatten().map(|worst| worst.ulp).fold(0.0, f64::max))
 }
@@ -125,19 +124,6 @@ fn worst_of(entry: &Entry, points: u32) -> miette::Result<f64> {
 /// When a kernel cannot be measured.
 pub fn worst_of_all(catalogue: &Catalogue, points: u32) -> miette::Result<Vec<f64>> {
     catalogue.entries().iter().map(|entry| worst_of(entry, points)).collect()
-}
-
-/// The inputs as samplers know them.
-pub fn inputs(entry: &Entry) -> Vec<Input> {
-    let inputs = entry.kernel.inputs.iter();
-    inputs
-        .map(|input| Input {
-            name: input.name.to_string(),
-            unit: unit_of(&input.unit).to_owned(),
-            typical: input.typical.map_or(TYPICAL, |(low, high)| [low, high]),
-            doc: String::new(),
-        })
-        .collect()
 }
 
 fn conclude(rows: &[Row], unmeasured: Vec<Unmeasured>) -> miette::Result<()> {
