@@ -1,7 +1,6 @@
 //! The text of a crate of one's own: kernels, and judges that need neither Maxima nor MPFR to run.
 
 use crate::catalogue::{Catalogue, Entry};
-use crate::command::verify::inputs;
 use crate::measure::{REFERENCE_BITS, Reference};
 use crate::pipeline::Generated;
 use crate::worksheet::sample::sample;
@@ -118,7 +117,7 @@ fn values(sources: &BTreeMap<String, String>) -> miette::Result<String> {
 }
 
 fn values_of(entry: &Entry, text: &mut String) -> miette::Result<()> {
-    let inputs = inputs(entry);
+    let inputs = entry.inputs();
     let points = sample(&entry.domain()?, &inputs.iter().collect::<Vec<_>>(), POINTS, 1)?;
     let reference = Reference::of(&entry.kernel)?;
     for point in points.iter().filter(|point| crate::measure::covers(&entry.kernel, point)) {

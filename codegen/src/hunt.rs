@@ -60,13 +60,12 @@ pub enum HuntError {
 mod tests {
     use super::*;
     use crate::catalogue::{Entry, fixture};
-    use crate::command::verify::inputs;
     use crate::measure::{Reference, measure};
     use crate::worksheet::sample::sample;
 
     fn prey(entry: &Entry) -> Prey<'_> {
         let (reference, domain) = (Reference::of(&entry.kernel).unwrap(), entry.domain().unwrap());
-        Prey { kernel: &entry.kernel, reference, domain, inputs: inputs(entry) }
+        Prey { kernel: &entry.kernel, reference, domain, inputs: entry.inputs() }
     }
 
     fn worst(bag: &Bag) -> Vec<f64> {

@@ -12,7 +12,6 @@ use serde::Serialize;
 use thiserror::Error;
 
 use crate::catalogue::{Catalogue, DomainError, Entry};
-use crate::command::verify::inputs;
 use crate::kept::{KeptError, KeptInputs};
 use crate::measure::{REFERENCE_BITS, Reference, ReferenceError, ValueError, covers, results, ulp_error, ulp_text};
 use crate::worksheet::hexfloat;
@@ -58,6 +57,9 @@ pub struct Row {
     /// The worst error as a number.
     #[serde(skip)]
     pub worst: f64,
+    /// The bound as a number.
+    #[serde(skip)]
+    pub bound: f64,
 }
 
 /// Why there is no ledger.
@@ -185,6 +187,7 @@ fn row(entry: &Entry, position: usize, formula: &Expr, measured: &Measured) -> R
         faithful_cost: cost::faithful(&count),
         naive_cost: cost::naive(formula),
         worst: measured.worst,
+        bound: result.bound.unwrap_or(f64::INFINITY),
     }
 }
 
@@ -196,7 +199,7 @@ fn measured(
     points: u32,
 ) -> Result<Vec<Measured>, LedgerError> {
     let domain = entry.domain()?;
-    let inputs = inputs(entry);
+    let inputs = entry.inputs();
     let sampled = sample(&domain, &inputs.iter().collect::<Vec<_>>(), points as usize, 1)?;
     let kept = kept.points(entry).concat().into_iter().filter(|point| domain.holds(point));
     let mut measured = vec![Measured::default(); entry.kernel.meta.results.len()];

@@ -5,6 +5,8 @@ pub mod bound_proof;
 pub mod catalogue;
 pub mod command;
 pub mod crate_text;
+#[cfg(test)]
+mod drawn;
 pub mod expression;
 pub mod field;
 pub mod folder;
@@ -13,6 +15,7 @@ pub mod kept;
 pub mod kernel;
 pub mod ledger;
 pub mod measure;
+pub mod mutate;
 pub mod pipeline;
 pub mod program;
 pub mod root;

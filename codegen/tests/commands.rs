@@ -149,24 +149,13 @@ fn an_empty_domain_is_shown() {
 fn a_worksheet_of_ones_own_becomes_a_crate_that_passes_its_judges() {
     let _turn = turn();
     let folder = tempfile::tempdir().unwrap();
-    let worksheet = folder.path().join("my.mac");
-    fs::write(
-        &worksheet,
-        "/* mine */\n\
-         difference(x) := sqrt(x+1) - sqrt(x)$\n\
-         lens(f,g) := 1/(1/f + 1/g)$\n\
-         speed(u,v,c) := (u+v)/(1+u*v/c^2);\n\
-         area(a,b,c) := block_free(a,b,c)/4$\n\
-         block_free(a,b,c) := sqrt((a+b+c)*(-a+b+c)*(a-b+c)*(a+b-c))$\n\
-         circle(r) := %pi*r^2$\n\
-         larger(b,c) := (-b+sqrt(b^2-4*c))/2$\n",
-    )
-    .unwrap();
+    let worksheet = repository().join("codegen/tests/classic.mac");
     let out = folder.path().join("mine");
     let arguments = ["generate", "--input", worksheet.to_str().unwrap(), "--out", out.to_str().unwrap()];
     succeeds(&repository(), &arguments);
     let again = closedform(&repository(), &arguments);
     assert!(again.status.success(), "{}", String::from_utf8_lossy(&again.stderr));
+    succeeds(&out, &["verify", "--points", "2000", "--seed", "2"]);
     let mut test = Command::new(env!("CARGO"));
     test.args(["test", "--quiet", "--offline"]).current_dir(&out);
     let output = test.env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).join("mine")).output().unwrap();

@@ -3,7 +3,6 @@
 mod common;
 
 use closedform_codegen::catalogue::{Catalogue, Entry};
-use closedform_codegen::command::verify::inputs;
 use closedform_codegen::measure::{REFERENCE_BITS, Reference, covers, measure, ulp_error};
 use closedform_codegen::stable::rules::ALL;
 use closedform_codegen::worksheet::sample::sample;
@@ -67,7 +66,7 @@ fn hurting(rule: &str) -> Vec<Vec<f64>> {
 }
 
 fn points(entry: &Entry) -> Vec<Vec<f64>> {
-    let mut points = sample(&entry.domain().unwrap(), &inputs(entry).iter().collect::<Vec<_>>(), 400, 3).unwrap();
+    let mut points = sample(&entry.domain().unwrap(), &entry.inputs().iter().collect::<Vec<_>>(), 400, 3).unwrap();
     points.extend(hurting(&entry.name));
     points.into_iter().filter(|point| covers(&entry.kernel, point)).collect()
 }

@@ -17,8 +17,11 @@ const SIGNIFICAND: i32 = f64::MANTISSA_DIGITS as i32;
 /// Words of a product of significands.
 const PRODUCT_WORDS: usize = MAX_FACTORS * SIGNIFICAND as usize / 64 + 1;
 
-/// Words of a sum: exponents of a product span at most 2098 a factor; two more for signs and carries of 2^64 terms.
-const SUM_WORDS: usize = MAX_FACTORS * 2098 / 64 + 3;
+/// Words of any sum: exponents of a product span at most 2098 a factor; two more for signs and carries of 2^64 terms.
+const LONGEST: usize = MAX_FACTORS * 2098 / 64 + 3;
+
+/// Words that most sums need: those whose terms are of similar size.
+const SHORT: usize = 32;
 
 /// A sum of products: `terms` one after another, each a head byte, the number of its factors with the high bit set where
 /// the product is subtracted, and then the positions of its factors among `operands`.
@@ -31,11 +34,28 @@ pub(crate) fn polynomial<T>(operands: &[&T], value: fn(&T) -> f64, terms: &[u8])
         return Soft::NAN;
     }
     let factor = |position: u8| operands.get(usize::from(position)).map(|operand| value(operand));
-    let products = || Terms(terms).filter_map(|(negative, factors)| Product::of(&factor, negative, factors));
-    let Some(lowest) = products().map(|product| product.exponent).min() else { return Soft::ZERO };
-    let mut sum = Sum([0; SUM_WORDS]);
-    products().for_each(|product| sum.add(&product, product.exponent - lowest));
-    sum.leading(lowest)
+    let spans = || Terms(terms).filter_map(|(_, factors)| span(&factor, factors));
+    let Some(lowest) = spans().map(|(low, _)| low).min() else { return Soft::ZERO };
+    let highest = spans().map(|(_, high)| high).max().unwrap_or(lowest);
+    let used = (highest - lowest) as usize / 64 + 3;
+    if used <= SHORT {
+        Sum([0; SHORT]).of(&factor, terms, lowest, used)
+    } else {
+        Sum([0; LONGEST]).of(&factor, terms, lowest, used)
+    }
+}
+
+/// The exponents of the unit of a product and of a power of two above it; `None` for zero.
+fn span(factor: &impl Fn(u8) -> Option<f64>, factors: &[u8]) -> Option<(i32, i32)> {
+    let mut low = 0;
+    for &position in factors {
+        let (significand, exponent) = float::significand(factor(position)?);
+        if significand == 0 {
+            return None;
+        }
+        low += exponent;
+    }
+    Some((low, low + SIGNIFICAND * factors.len() as i32))
 }
 
 /// The terms, each its sign and the positions of its factors.
@@ -56,13 +76,15 @@ impl<'a> Iterator for Terms<'a> {
 struct Product {
     negative: bool,
     words: [u64; PRODUCT_WORDS],
+    /// How many words are not zero, the low ones.
+    used: usize,
     exponent: i32,
 }
 
 impl Product {
     /// `None` for zero.
     fn of(factor: &impl Fn(u8) -> Option<f64>, negative: bool, factors: &[u8]) -> Option<Self> {
-        let mut product = Product { negative, words: [0; PRODUCT_WORDS], exponent: 0 };
+        let mut product = Product { negative, words: [0; PRODUCT_WORDS], used: 1, exponent: 0 };
         *product.words.first_mut()? = 1;
         for &position in factors {
             let operand = factor(position)?;
@@ -73,10 +95,14 @@ impl Product {
             product.negative ^= operand < 0.0;
             product.exponent += exponent;
             let mut carry = 0;
-            for word in &mut product.words {
+            for word in product.words.iter_mut().take(product.used) {
                 let wide = u128::from(*word) * u128::from(significand) + u128::from(carry);
                 *word = wide as u64;
                 carry = (wide >> 64) as u64;
+            }
+            if carry != 0 {
+                *product.words.get_mut(product.used)? = carry;
+                product.used += 1;
             }
         }
         Some(product)
@@ -84,41 +110,55 @@ impl Product {
 }
 
 /// A long integer, in two's complement, least word first.
-struct Sum([u64; SUM_WORDS]);
+struct Sum<const WORDS: usize>([u64; WORDS]);
 
-impl Sum {
-    /// Adds a product, shifted up.
-    fn add(&mut self, product: &Product, shift: i32) {
-        let (skip, bits) = ((shift / 64) as usize, (shift % 64) as u32);
-        let complement = if product.negative { u64::MAX } else { 0 };
-        let (mut below, mut carry) = (0_u64, product.negative);
-        let words = product.words.iter().copied().chain(core::iter::repeat(0));
-        for (word, next) in self.0.iter_mut().skip(skip).zip(words) {
-            let shifted = (u128::from(next) << 64 | u128::from(below)) >> (64 - bits);
-            below = next;
-            let (first, one) = word.overflowing_add(shifted as u64 ^ complement);
-            let (second, other) = first.overflowing_add(carry.into());
-            *word = second;
-            carry = one | other;
-        }
+impl<const WORDS: usize> Sum<WORDS> {
+    /// The sum of all terms in the low `used` words; `lowest` is the exponent of the unit.
+    fn of(mut self, factor: &impl Fn(u8) -> Option<f64>, terms: &[u8], lowest: i32, used: usize) -> Soft {
+        let products = Terms(terms).filter_map(|(negative, factors)| Product::of(factor, negative, factors));
+        products.for_each(|product| self.add(&product, product.exponent - lowest, used));
+        self.leading(lowest, used)
     }
 
-    /// The leading bits; `lowest` is the exponent of the unit.
-    fn leading(&self, lowest: i32) -> Soft {
-        let negative = self.0.last().is_some_and(|word| word >> 63 != 0);
+    /// Adds a product, shifted up.
+    fn add(&mut self, product: &Product, shift: i32, used: usize) {
+        let (skip, bits) = ((shift / 64) as usize, (shift % 64) as u32);
+        let (mut below, mut carry) = (0_u64, false);
+        let mut step = |word: &mut u64, next: u64| {
+            let shifted = (u128::from(next) << 64 | u128::from(below)) >> (64 - bits);
+            below = next;
+            let change = |word: u64, by: u64| {
+                if product.negative { word.overflowing_sub(by) } else { word.overflowing_add(by) }
+            };
+            let (first, one) = change(*word, shifted as u64);
+            let (second, other) = change(first, carry.into());
+            *word = second;
+            carry = one | other;
+            carry
+        };
+        let mut words = self.0.iter_mut().take(used).skip(skip);
+        for next in product.words.iter().copied().take(product.used) {
+            words.next().into_iter().for_each(|word| {
+                step(word, next);
+            });
+        }
+        words.try_for_each(|word| step(word, 0).then_some(()));
+    }
+
+    /// The leading bits.
+    fn leading(&mut self, lowest: i32, used: usize) -> Soft {
+        let negative = self.0.iter().take(used).last().is_some_and(|word| word >> 63 != 0);
         let mut carry = negative;
-        let magnitude = self.0.map(|word| {
-            let (word, overflow) = (if negative { !word } else { word }).overflowing_add(carry.into());
-            carry = overflow;
-            word
-        });
-        let Some(top) = magnitude.iter().rposition(|word| *word != 0) else { return Soft::ZERO };
-        let word = |below: usize| top.checked_sub(below).and_then(|at| magnitude.get(at)).copied().unwrap_or(0);
+        for word in self.0.iter_mut().take(used).filter(|_| negative) {
+            (*word, carry) = (!*word).overflowing_add(carry.into());
+        }
+        let Some(top) = self.0.iter().take(used).rposition(|word| *word != 0) else { return Soft::ZERO };
+        let word = |below: usize| top.checked_sub(below).and_then(|at| self.0.get(at)).copied().unwrap_or(0);
         let space = word(0).leading_zeros();
         let upper = u128::from(word(0)) << 64 | u128::from(word(1));
         let below = u128::from(word(2)) << space;
         let bits = upper << space | below >> 64;
-        let cut = below as u64 != 0 || magnitude.iter().take(top.saturating_sub(2)).any(|word| *word != 0);
+        let cut = below as u64 != 0 || self.0.iter().take(top.saturating_sub(2)).any(|word| *word != 0);
         let exponent = lowest + 64 * (top as i32 - 1) - space as i32;
         Soft::new(negative, bits, exponent.into(), cut)
     }

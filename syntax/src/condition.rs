@@ -4,7 +4,7 @@ use syn::{BinOp, Expr, ExprBinary, UnOp};
 
 use crate::error;
 use crate::expression::Reader;
-use crate::kernel::{Comparison, Condition};
+use crate::kernel::{self, Comparison, Condition};
 
 impl Reader<'_> {
     /// Reads a condition.
@@ -23,7 +23,12 @@ impl Reader<'_> {
     fn joined(&mut self, binary: &ExprBinary) -> Option<Condition> {
         if let Some(op) = comparison(&binary.op) {
             let (left, right) = (self.expression(&binary.left), self.expression(&binary.right));
-            return Some(Condition::Compare { op, left: left?, right: right? });
+            let (left, right) = (left?, right?);
+            if [&left, &right].into_iter().any(has_residual) {
+                self.errors.push(binary, error::RESIDUAL_DECIDES);
+                return None;
+            }
+            return Some(Condition::Compare { op, left, right });
         }
         let join = match binary.op {
             BinOp::And(_) => Condition::And,
@@ -37,6 +42,15 @@ impl Reader<'_> {
     fn no_condition(&mut self, tokens: impl quote::ToTokens) -> Option<Condition> {
         self.errors.push(tokens, error::CONDITION);
         None
+    }
+}
+
+fn has_residual(expr: &kernel::Expr) -> bool {
+    match expr {
+        kernel::Expr::Residual(_) => true,
+        kernel::Expr::Neg(inner) | kernel::Expr::Sqrt(inner) | kernel::Expr::Abs(inner) => has_residual(inner),
+        kernel::Expr::Binary { left, right, .. } => has_residual(left) || has_residual(right),
+        _ => false,
     }
 }
 

@@ -1,6 +1,11 @@
-//! Conditions as text, for errors at run time.
+//! Conditions and expressions as text, for errors at run time and reports.
 
 use crate::kernel::{BinaryOp, Comparison, Condition, Expr};
+
+/// The expression as Rust text, with as few parentheses as its meaning needs.
+pub fn expression_text(expr: &Expr) -> String {
+    text(expr, 0)
+}
 
 /// The condition as Rust text, with as few parentheses as its meaning needs.
 pub fn condition_text(condition: &Condition) -> String {

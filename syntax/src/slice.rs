@@ -120,7 +120,11 @@ const MARGIN: f64 = 1010.0;
 
 impl Slice {
     /// A slice, and what its exact evaluation needs; its product of sums is expanded.
-    pub(crate) fn new(value: Expr) -> Result<Self, &'static str> {
+    ///
+    /// # Errors
+    ///
+    /// When it has too many terms, factors or operands.
+    pub fn new(value: Expr) -> Result<Self, &'static str> {
         let mut operands = Vec::new();
         let sum = expand(&value, &mut operands)?;
         let mut terms = Vec::new();

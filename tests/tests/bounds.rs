@@ -65,15 +65,9 @@ fn sums_that_may_cancel_are_refused() {
         ("turnaround", "inner_ramp", "t0 + quotient", "t0 - quotient", &["`k`", CANCELS]),
         ("milling_time", "direction", "x * x + ", "x * y + ", &["`root`", CANCELS, "open"]),
         ("milling_time", "cut_speed", "+ 4.0 * length", "- 4.0 * length", &["`root`", CANCELS]),
-        ("step_move", "continuous_move", "5.0 * root + polynomial5", "5.0 * root - polynomial5", &["`sum`", CANCELS]),
+        ("step_move", "continuous_move", "5.0 * root + ko", "5.0 * root - ko", &["`sum`", CANCELS]),
         ("step_move", "continuous_move", "2.0 * quotient + ki", "2.0 * quotient - ki", &["`kx1`", CANCELS]),
-        (
-            "overhead",
-            "step_limited",
-            "(product * root + polynomial2)",
-            "(product * root - polynomial2)",
-            &["`t_ovr_hd`", CANCELS],
-        ),
+        ("overhead", "step_limited", "product * root + t_in", "product * root - t_in", &["`t_ovr_hd`", CANCELS]),
     ]);
 }
 

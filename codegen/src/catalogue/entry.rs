@@ -5,6 +5,7 @@ use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
 use super::slice::function_text;
+use crate::worksheet::contract;
 use crate::worksheet::domain::{Condition, ConditionError, Domain};
 
 /// A kernel with its family.
@@ -59,6 +60,17 @@ impl Entry {
         let inputs = &self.kernel.inputs;
         let rust = inputs.iter().position(|input| input.name == name);
         rust.or_else(|| inputs.iter().position(|input| input.maxima.as_deref() == Some(name)))
+    }
+
+    /// The inputs as samplers know them.
+    pub fn inputs(&self) -> Vec<contract::Input> {
+        let inputs = self.kernel.inputs.iter().map(|input| contract::Input {
+            name: input.name.to_string(),
+            unit: unit_of(&input.unit).to_owned(),
+            typical: input.typical.map_or(contract::TYPICAL, |(low, high)| [low, high]),
+            doc: String::new(),
+        });
+        inputs.collect()
     }
 
     /// The domain, to be decided exactly.

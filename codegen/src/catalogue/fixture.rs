@@ -67,7 +67,7 @@ pub struct Slope {
     family = "plane",
     maxima = "cFn(x):=2*x\ndFn(x):=x/3",
     rules("factored"),
-    bound(c = 0.5, d = 0.5),
+    bound(c = 0.0, d = 0.5),
     results(
         c(worksheet = "cFn", unit = "m"),
         d(worksheet = "dFn", unit = "m"),

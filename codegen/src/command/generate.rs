@@ -108,5 +108,17 @@ fn report(made: &[Made], catalogue: &Catalogue, rows: &[ledger::Row]) -> miette:
         ]);
     }
     output::print(&format!("{table}\n"))?;
-    Ok(())
+    let wrong: Vec<&ledger::Row> = rows.iter().filter(|row| row.worst > row.bound).collect();
+    let [first, ..] = wrong.as_slice() else { return Ok(()) };
+    bail!(
+        help =
+            "a bound that does not hold is a mistake of the generator or of the domain; `closedform verify` shows more",
+        "{} {} its bound: `{}` of `{}` is off by {} ulp at {}",
+        wrong.len(),
+        if wrong.len() == 1 { "result exceeds" } else { "results exceed" },
+        first.result,
+        first.kernel,
+        first.worst_ulp,
+        first.worst_inputs
+    )
 }

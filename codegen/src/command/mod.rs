@@ -8,6 +8,7 @@ pub mod generate;
 pub mod ledger;
 pub mod list;
 pub mod motion;
+pub mod mutants;
 pub mod output;
 pub mod readme;
 pub mod show;

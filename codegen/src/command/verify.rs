@@ -11,11 +11,10 @@ use miette::{Diagnostic, bail};
 use thiserror::Error;
 
 use super::output;
-use crate::catalogue::{Catalogue, DomainError, Entry, unit_of};
+use crate::catalogue::{Catalogue, DomainError, Entry};
 use crate::hunt::{Budget, HuntError, parse_duration};
 use crate::kept::KeptInputs;
 use crate::measure::{Measurement, Reference, ReferenceError, ValueError, measure};
-use crate::worksheet::contract::{Input, TYPICAL};
 use crate::worksheet::sample::{EmptyDomain, sample};
 use report::{Replay, Row};
 
@@ -140,25 +139,12 @@ fn measured(entry: &Entry, kept: &KeptInputs, args: &Args, bar: &ProgressBar) ->
     let domain = entry.domain()?;
     let mut points = kept.points(entry).concat();
     points.retain(|point| domain.holds(point));
-    points.extend(sample(&domain, &inputs(entry).iter().collect::<Vec<_>>(), args.points as usize, args.seed)?);
+    points.extend(sample(&domain, &entry.inputs().iter().collect::<Vec<_>>(), args.points as usize, args.seed)?);
     let measurement = measure(&entry.kernel, &Reference::of(&entry.kernel)?, &points, || bar.inc(1))?;
     if measurement.covered == 0 {
         return Err(Uncovered { points: points.len() }.into());
     }
     Ok(measurement)
-}
-
-/// The inputs as samplers know them.
-pub fn inputs(entry: &Entry) -> Vec<Input> {
-    let inputs = entry.kernel.inputs.iter();
-    inputs
-        .map(|input| Input {
-            name: input.name.to_string(),
-            unit: unit_of(&input.unit).to_owned(),
-            typical: input.typical.map_or(TYPICAL, |(low, high)| [low, high]),
-            doc: String::new(),
-        })
-        .collect()
 }
 
 fn conclude(rows: &[Row], unmeasured: Vec<Unmeasured>) -> miette::Result<()> {

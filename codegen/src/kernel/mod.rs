@@ -72,7 +72,7 @@ pub fn make(
         .collect::<Result<_, _>>()
         .map_err(KernelError::Lower)?;
     let outputs = outputs(&mut builder, &expressions, references)?;
-    let mut outputs = gathered::apply(&mut builder, &outputs);
+    let mut outputs = gathered::apply(&mut builder, &outputs, kernel.few_roundings);
     if kernel.one_division {
         outputs = one_reciprocal::apply(&mut builder, &outputs);
     }

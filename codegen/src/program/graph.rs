@@ -159,7 +159,8 @@ impl Graph {
     }
 
     fn push(&mut self, op: Op, sign: Sign, error: f64) -> Node {
-        if let Some(&node) = self.index.get(&op) {
+        let known = self.index.get(&op).or_else(|| self.index.get(&swapped(&op)?));
+        if let Some(&node) = known {
             let step = &mut self.steps[node.0];
             step.sign = step.sign & sign;
             step.error = step.error.min(error);
@@ -403,6 +404,15 @@ impl Graph {
             Op::Compensated(wide) | Op::Residual(wide) => wide.leaves(),
             Op::Max(nodes) | Op::Min(nodes) | Op::PositiveRoot(nodes) => nodes.clone(),
         }
+    }
+}
+
+/// A sum or product in the other order, which has the same bits.
+fn swapped(op: &Op) -> Option<Op> {
+    match *op {
+        Op::Add(a, b) => Some(Op::Add(b, a)),
+        Op::Mul(a, b) => Some(Op::Mul(b, a)),
+        _ => None,
     }
 }
 

@@ -354,14 +354,23 @@ impl Builder {
     pub fn compare_with_zero(&mut self, node: Node, order: Order) -> Condition {
         match *self.graph.op(node) {
             Op::Neg(a) => return self.compare_with_zero(a, order.mirrored()),
-            Op::Mul(a, b) if self.graph.literal(a).is_some() => {
+            Op::Mul(a, b) if self.has_one_sign(a) => {
                 let order = if self.graph.sign(a).is(Sign::NEGATIVE) { order.mirrored() } else { order };
                 return self.compare_with_zero(b, order);
+            }
+            Op::Mul(a, b) if self.has_one_sign(b) => {
+                let order = if self.graph.sign(b).is(Sign::NEGATIVE) { order.mirrored() } else { order };
+                return self.compare_with_zero(a, order);
             }
             _ => {}
         }
         let zero = self.graph.constant(&BigRational::zero());
         Condition::Compare(node, order, zero)
+    }
+
+    fn has_one_sign(&self, node: Node) -> bool {
+        let sign = self.graph.sign(node);
+        sign.is_definite() && sign.is(Sign::NONZERO)
     }
 }
 

@@ -2,9 +2,8 @@
 
 use std::fs;
 
-use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme};
-
 use super::*;
+use crate::drawn::{drawn, has};
 
 const REPLAY: &str = "assume(v > 0)$ out1: x: 5$ kill(x)$ out1: [t = 2*s/(v+u), u < v]$ out2: (d+e)^2$ \
                       out4: sqrt(d^2-2*d+1)$ out3: solve(k^2 = w, k)$ linel: 20$ fpprintprec: 4$ display2d: true$";
@@ -94,12 +93,7 @@ fn judged(rows: &str) -> Result<String, VerdictError> {
 /// The page is refused with all of these words.
 #[track_caller]
 fn fails(rows: &str, words: &[&str]) {
-    let mut drawn = String::new();
-    let handler = GraphicalReportHandler::new_themed(GraphicalTheme::none()).with_width(160);
-    handler.render_report(&mut drawn, &judged(rows).unwrap_err() as &dyn Diagnostic).unwrap();
-    for word in words {
-        assert!(drawn.contains(word), "`{word}` is not in\n{drawn}");
-    }
+    has(&drawn(&judged(rows).unwrap_err()), words);
 }
 
 /// The rows with one text replaced fail with all of these words.

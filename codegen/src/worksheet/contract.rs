@@ -65,6 +65,8 @@ pub struct KernelContract {
     pub domain: Domain,
     /// Which of several solutions this is.
     pub branch: Option<String>,
+    /// Whether digits go before time wherever polynomials of the inputs are rounded more than once.
+    pub few_roundings: bool,
     /// Whether its quotients are to share one division.
     pub one_division: bool,
     /// What happens at the edges of the domain.

@@ -8,6 +8,7 @@ use std::collections::HashSet;
 use miette::Diagnostic;
 use thiserror::Error;
 
+pub(crate) use edges::{rank, unrank};
 pub use random::Random;
 
 use super::contract::Input;

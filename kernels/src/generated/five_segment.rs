@@ -105,24 +105,15 @@ pub fn by_accelerations(
     let product = 3.0 * delta_x;
     // compensated
     let cancelling3 = compensated!(t1 * t1 * (2.0 * a0 + a1) + 3.0 * delta_x * ki);
-    let root = sqrt(3.0);
-    // merge-roots
-    let root2 = sqrt(product * ki * a0);
     // compensated
     let cancelling4 = compensated!(
         t1 * t1 * (t1 * t1 * (2.0 * a0 + a1) * (2.0 * a0 + a1) + 3.0 * delta_x * ki * (2.0 * a1 - 5.0 * a0))
         + 9.0 * delta_x * delta_x * ki * ki
     );
-    // factored
-    let product2 = t1 * sum;
     // compensated
     let cancelling5 = compensated!(t1 * t1 * (a0 + a1) * (a0 + a1) - 3.0 * delta_x * ki * a0);
-    // sign-branch
-    let chosen = if product2 >= 0.0 { 3.0 * (root2 + product2) } else { -3.0 * cancelling5 / (root2 - sum * t1) };
     // compensated
     let cancelling6 = compensated!(a1 - 3.0 * a0);
-    // factored
-    let product3 = -6.0 * t1 * cancelling6 * root;
     // compensated
     let cancelling7 = compensated!(
         a0 * (2.0 * a1 * (t1 * t1 * (3.0 * delta_x * (18.0 * a0 * (3.0 * ki + 4.0) + a1 * (16.0 - 25.0 * ki)) + t1 * t1 * (a0 * (18.0 * a0 + 11.0 * a1) + 2.0 * a1 * a1)) + 648.0 * delta_x * delta_x * ki * (1.0 - ki)) + 81.0 * a0 * (a0 * t1 * t1 - 3.0 * delta_x * ki) * (a0 * t1 * t1 - 3.0 * delta_x * ki))
@@ -138,43 +129,41 @@ pub fn by_accelerations(
     // gathered
     let polynomial2 = compensated!(3.0 * delta_x * ki * a0);
     // merge-roots
-    let root3 = sqrt(polynomial2);
-    let product4 = 3.0 * t1 * root3;
+    let root = sqrt(polynomial2);
+    let product2 = 3.0 * t1 * root;
     // gathered
     let polynomial3 = compensated!(t1 * (a0 + a1));
-    let sum2 = root3 + polynomial3;
+    let sum2 = root + polynomial3;
     // gathered
-    let polynomial4 = compensated!(-3.0 * (t1 * t1 * (a0 + a1) * (a0 + a1) - 3.0 * delta_x * ki * a0));
-    // gathered
-    let polynomial5 = compensated!((a0 + a1) * t1);
-    let difference = root3 - polynomial5;
+    let polynomial4 = compensated!(3.0 * (t1 * t1 * (a0 + a1) * (a0 + a1) - 3.0 * delta_x * ki * a0));
+    let difference = root - polynomial3;
     // sign-branch
-    let chosen2 = if product2 >= 0.0 { 3.0 * sum2 } else { polynomial4 / difference };
+    let chosen = if sum >= 0.0 { 3.0 * sum2 } else { -polynomial4 / difference };
     // gathered
-    let polynomial6 = compensated!(-6.0 * t1 * (a1 - 3.0 * a0));
-    // gathered
-    let polynomial7 = compensated!(6.0 * t1 * (a1 - 3.0 * a0));
+    let polynomial5 = compensated!(6.0 * t1 * (a1 - 3.0 * a0));
+    // factored
+    let product3 = root * polynomial5;
     // sign-branch
-    let chosen3 = if (cancelling2 >= 0.0 && product3 >= 0.0) || (cancelling2 <= 0.0 && product3 <= 0.0) {
-        polynomial6 * root3 + cancelling2
+    let chosen2 = if (cancelling2 >= 0.0 && cancelling6 <= 0.0) || (cancelling2 <= 0.0 && cancelling6 >= 0.0) {
+        cancelling2 - product3
     } else {
-        cancelling7 / (polynomial7 * root3 + cancelling2)
+        cancelling7 / (product3 + cancelling2)
     };
-    let root4 = sqrt(chosen3);
+    let root2 = sqrt(chosen2);
     ByAccelerations {
         t0: sqrt(polynomial / a0),
         ko: if cancelling3 >= 0.0 {
-            (product4 + cancelling3) / product
+            (product2 + cancelling3) / product
         } else {
-            -cancelling4 / (product * (product4 - cancelling3))
+            -cancelling4 / (product * (product2 - cancelling3))
         },
         t2: if chosen <= 0.0 {
-            -0.5 * (chosen2 - root4) / a1
+            -0.5 * (chosen - root2) / a1
         } else {
-            4.0 * cancelling8 / ((root4 + chosen2) * (product4 + cancelling))
+            4.0 * cancelling8 / ((root2 + chosen) * (product2 + cancelling))
         },
-        v0: 0.5 * root3,
-        v1: if product2 >= 0.0 { 0.5 * sum2 } else { -0.5 * cancelling5 / difference },
+        v0: 0.5 * root,
+        v1: if sum >= 0.0 { 0.5 * sum2 } else { -0.5 * cancelling5 / difference },
     }
 }
 
@@ -235,7 +224,7 @@ pub fn ki_without_middle(
     // gathered
     let polynomial = compensated!(2.0 * (3.0 * delta_x - t1 * t1 * (2.0 * a0 + a1)) * (3.0 * delta_x - t1 * t1 * (2.0 * a0 + a1)));
     // gathered
-    let polynomial2 = compensated!((t1 * t1 * (a0 - 4.0 * a1) + 12.0 * delta_x) * a0);
+    let polynomial2 = compensated!(a0 * (t1 * t1 * (a0 - 4.0 * a1) + 12.0 * delta_x));
     // merge-roots
     let root = sqrt(polynomial2);
     // factored, conjugate
@@ -330,7 +319,7 @@ pub fn by_times(
     // gathered
     let polynomial = compensated!(3.0 * delta_x * ki);
     // gathered
-    let polynomial2 = compensated!(-3.0 * delta_x * (ki * (t0 + t1) * (2.0 * t0 + (4.0 * t1 + 3.0 * t2)) - 2.0 * t0 * t0));
+    let polynomial2 = compensated!(3.0 * delta_x * (ki * (t0 + t1) * (2.0 * t0 + (4.0 * t1 + 3.0 * t2)) - 2.0 * t0 * t0));
     // gathered
     let polynomial3 = compensated!(t0 * t0 * (t1 + t2) * (2.0 * t1 + t2));
     // gathered
@@ -341,7 +330,7 @@ pub fn by_times(
     let polynomial6 = compensated!(ki * t2 * (t0 + t1) * (t1 * (3.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2) + 2.0 * t0 * t0 * t1 * t1);
     ByTimes {
         a0: polynomial / (t0 * t0),
-        a1: polynomial2 / polynomial3,
+        a1: -polynomial2 / polynomial3,
         v0: polynomial4 / t0,
         v1: polynomial5 / polynomial3,
         ko: polynomial6 / polynomial3,

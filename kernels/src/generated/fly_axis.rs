@@ -72,7 +72,7 @@ pub fn turn_out(
     require!(a1_max > 0.0, "a1Max > 0");
     require!(compensated!(t_in * a1_max - 2.0 * v1_diff) >= 0.0, "2*v1Diff <= a1Max*tIn");
     // gathered
-    let polynomial = compensated!(-2.0 * t_in * (v1_diff - v1_scan));
+    let polynomial = compensated!(2.0 * t_in * (v1_diff - v1_scan));
     // gathered
     let polynomial2 = compensated!(t_in * a1_max + 2.0 * v1_diff);
     // gathered
@@ -80,7 +80,7 @@ pub fn turn_out(
     // gathered
     let polynomial4 = compensated!(3.0 * (t_in * a1_max + 2.0 * v1_diff) * (t_in * a1_max + 2.0 * v1_diff));
     TurnOut {
-        t_out: polynomial / polynomial2,
+        t_out: -polynomial / polynomial2,
         d1_out: polynomial3 / polynomial4,
     }
 }
@@ -128,7 +128,7 @@ pub fn d1_in(
     require!(v1_diff >= 0.0, "v1Diff >= 0");
     require!(v1_scan > v1_diff, "v1Scan > v1Diff");
     // gathered
-    let polynomial = compensated!((2.0 * v1_diff + 3.0 * (v1_scan - v1_diff)) * t_in);
+    let polynomial = compensated!(t_in * (2.0 * v1_diff + 3.0 * (v1_scan - v1_diff)));
     // factored
     polynomial / 3.0
 }
@@ -464,7 +464,7 @@ pub fn overhead_of_t_out(
     require!(compensated!(2.0 * (v1_scan - v1_diff) - t_out * a1_max) > 0.0, "a1Max*tOut < 2*(v1Scan-v1Diff)");
     require!(compensated!(t_out * a1_max + (v1_diff - v1_scan)) >= 0.0, "v1Scan-v1Diff <= a1Max*tOut");
     // gathered
-    let polynomial = compensated!((3.0 * v1_scan * (2.0 * (v1_scan - v1_diff) - t_out * a1_max) + 2.0 * v1_diff * v1_diff) * t_out);
+    let polynomial = compensated!(t_out * (3.0 * v1_scan * (2.0 * (v1_scan - v1_diff) - t_out * a1_max) + 2.0 * v1_diff * v1_diff));
     // gathered
     let polynomial2 = compensated!(3.0 * v1_scan * (2.0 * (v1_scan - v1_diff) - t_out * a1_max));
     // gathered

@@ -81,19 +81,19 @@ pub fn step_limited(
     let polynomial = compensated!(24.0 * delta + t_in * t_in);
     let root = sqrt(polynomial);
     // gathered
-    let polynomial2 = compensated!(t_in * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)));
-    // gathered
-    let polynomial3 = compensated!(
-        -2.0
+    let polynomial2 = compensated!(
+        2.0
         * (t_in * t_in * (2.0 * (v1_scan - v1_diff) + v1_scan) * (2.0 * v1_scan + (v1_scan - v1_diff)) + 3.0 * delta * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)) * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)))
     );
     // gathered
-    let polynomial4 = compensated!(3.0 * t_in * v1_scan);
+    let polynomial3 = compensated!(3.0 * t_in * v1_scan);
     // gathered
-    let polynomial5 = compensated!((24.0 * delta + t_in * t_in) * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)));
+    let polynomial4 = compensated!((24.0 * delta + t_in * t_in) * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)));
     StepLimited {
-        t_ovr_hd: 2.0 * cancelling / (product * (product * root + polynomial2)),
-        dt_ovr_hd_dt_in: polynomial3 / (product * (polynomial4 * root + polynomial5)),
+        t_ovr_hd: 2.0
+            * cancelling
+            / (product * (product * root + t_in * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)))),
+        dt_ovr_hd_dt_in: -polynomial2 / (product * (polynomial3 * root + polynomial4)),
     }
 }
 

@@ -387,13 +387,13 @@ pub fn arrival_last(
     let cancelling2 = compensated!(v0 * (v1 - 2.0 * v0) + (v1 * v1 - 3.0 * a0 * (x1 - x0)));
     let difference = v0 - v1;
     // gathered
-    let polynomial = compensated!(-6.0 * (x1 - x0));
+    let polynomial = compensated!(6.0 * (x1 - x0));
     // gathered
     let polynomial2 = compensated!(3.0 * (x1 - x0));
     // gathered
     let polynomial3 = compensated!(a0 * (3.0 * a0 * (x1 - x0) + 2.0 * (v0 - v1) * (2.0 * v1 + v0)));
     ArrivalLast {
-        t1: if sum >= 0.0 { -(root + sum) / a0 } else { polynomial / (root - sum) },
+        t1: if sum >= 0.0 { -(root + sum) / a0 } else { -polynomial / (root - sum) },
         a1: if (cancelling2 >= 0.0 && difference >= 0.0) || (cancelling2 <= 0.0 && difference <= 0.0) {
             (difference * root + cancelling2) / polynomial2
         } else {

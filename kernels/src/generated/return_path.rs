@@ -116,7 +116,9 @@ pub fn asymmetric_return(
     );
     // gathered
     let polynomial3 = compensated!(
-        -((a1_max * (2.0 * t_out * (a1_max * (2.0 * t_edge + t_out) + (a3 * (t_edge + t_out) - v3)) + (t_edge * (a1_max * t_edge - 4.0 * v3) - 6.0 * d1_out)) + (2.0 * v3 - t_out * a3) * (2.0 * v3 - t_out * a3)) * ((t_out * (t_out * a3 - 4.0 * v3) + (6.0 * d1_out - a1_max * t_edge * t_edge)) * (t_out * (t_out * a3 - 4.0 * v3) + (6.0 * d1_out - a1_max * t_edge * t_edge))))
+        (a1_max * (2.0 * t_out * (a1_max * (2.0 * t_edge + t_out) + (a3 * (t_edge + t_out) - v3)) + (t_edge * (a1_max * t_edge - 4.0 * v3) - 6.0 * d1_out)) + (2.0 * v3 - t_out * a3) * (2.0 * v3 - t_out * a3))
+        * (t_out * (t_out * a3 - 4.0 * v3) + (6.0 * d1_out - a1_max * t_edge * t_edge))
+        * (t_out * (t_out * a3 - 4.0 * v3) + (6.0 * d1_out - a1_max * t_edge * t_edge))
     );
     // gathered
     let polynomial4 = compensated!(
@@ -135,7 +137,7 @@ pub fn asymmetric_return(
         a2: -cancelling3 / cancelling4,
         t_edge1: cancelling / cancelling2,
         d1_edge1: polynomial / polynomial2,
-        d1_edge2: polynomial3 / polynomial4,
+        d1_edge2: -polynomial3 / polynomial4,
         v1_edge2: polynomial5 / cancelling4,
     }
 }

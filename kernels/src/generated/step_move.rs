@@ -154,9 +154,9 @@ pub fn quarter_move(
     // compensated
     let cancelling4 = compensated!(2.0 * a3 * t1 * t1 * (633.0 * x4 + 50.0 * a3 * t1 * t1) + 1521.0 * x4 * x4);
     // gathered
-    let polynomial = compensated!(-6.0 * x4 * a3);
+    let polynomial = compensated!(6.0 * x4 * a3);
     // merge-roots
-    let root = sqrt(polynomial);
+    let root = sqrt(-polynomial);
     // gathered
     let polynomial2 = compensated!(3.0 * x4 * (6.0 * x4 + a3 * t1 * t1));
     // gathered
@@ -251,7 +251,9 @@ pub fn continuous_move(
     require!(compensated!(2.0 - ko - ki) > 0.0, "Ki+Ko < 2");
     require!(compensated!(6.0 * ki + (ko - 2.0)) > 0.0, "Ko+6*Ki > 2");
     // compensated
-    let cancelling = compensated!(
+    let cancelling = compensated!(16.0 * ki + (ko - 2.0));
+    // compensated
+    let cancelling2 = compensated!(
         ki * (ki * (331.0 * ko + 350.0 - 150.0 * ki) + 2.0 * (ko - 2.0) * (16.0 * ko + 25.0))
         + ko * (2.0 - ko) * (2.0 - ko)
     );
@@ -261,34 +263,32 @@ pub fn continuous_move(
     let polynomial2 = compensated!(ki * ko * (ki * (3.0 * ko + 14.0 - 6.0 * ki) + 2.0 * (ko - 2.0)));
     let root = sqrt(polynomial2);
     // gathered
-    let polynomial3 = compensated!((2.0 * (5.0 - ko) - 5.0 * ki) * ki);
+    let polynomial3 = compensated!(ki * (2.0 * (5.0 - ko) - 5.0 * ki));
     // factored, conjugate
     let quotient = polynomial / (root + polynomial3);
     // gathered
     let polynomial4 = compensated!(1.5 * ko * (2.0 - ko - ki) * (6.0 * ki + (ko - 2.0)));
+    let sum = 5.0 * root + ko * cancelling;
     // gathered
-    let polynomial5 = compensated!(ko * (16.0 * ki + (ko - 2.0)));
-    let sum = 5.0 * root + polynomial5;
-    // gathered
-    let polynomial6 = compensated!((6.0 * ki + (ko - 2.0)) * (2.0 - ko - ki));
+    let polynomial5 = compensated!((6.0 * ki + (ko - 2.0)) * (2.0 - ko - ki));
     let product = 4.0 * quotient * quotient;
     // gathered
-    let polynomial7 = compensated!(-10.0 * (16.0 * ki + (ko - 2.0)));
+    let polynomial6 = compensated!(10.0 * (16.0 * ki + (ko - 2.0)));
+    // factored
+    let product2 = root * polynomial6;
     // gathered
-    let polynomial8 = compensated!((25.0 * ki + ko) * (25.0 * ki + ko));
+    let polynomial7 = compensated!((25.0 * ki + ko) * (25.0 * ki + ko));
     // gathered
-    let polynomial9 = compensated!(3.0 * (2.0 - ko - ki) * (2.0 - ko - ki) * (6.0 * ki + (ko - 2.0)) * (6.0 * ki + (ko - 2.0)));
-    // gathered
-    let polynomial10 = compensated!(10.0 * (16.0 * ki + (ko - 2.0)));
+    let polynomial8 = compensated!(3.0 * (2.0 - ko - ki) * (2.0 - ko - ki) * (6.0 * ki + (ko - 2.0)) * (6.0 * ki + (ko - 2.0)));
     ContinuousMove {
         kv0: quotient,
         kv3: polynomial4 / sum,
-        kt4: sum / polynomial6,
+        kt4: sum / polynomial5,
         ka0: product / (3.0 * ki),
-        ka3: if cancelling <= 0.0 {
-            3.0 * (polynomial7 * root + cancelling) / polynomial8
+        ka3: if cancelling2 <= 0.0 {
+            3.0 * (cancelling2 - product2) / polynomial7
         } else {
-            polynomial9 / (polynomial10 * root + cancelling)
+            polynomial8 / (product2 + cancelling2)
         },
         kx1: (9.0 * ki * (2.0 * quotient + ki) + product) / (18.0 * ki),
     }
@@ -385,7 +385,7 @@ pub fn symmetric_frame(
     // gathered
     let polynomial5 = compensated!(ki * (ki + 1.0));
     // gathered
-    let polynomial6 = compensated!((3.0 * ki - 1.0) * ki);
+    let polynomial6 = compensated!(ki * (3.0 * ki - 1.0));
     SymmetricFrame {
         kt4: 2.0 * ki / (1.0 - ki),
         kx1: polynomial / ki,
@@ -504,7 +504,7 @@ pub fn symmetric_frame_step(
     // gathered
     let polynomial7 = compensated!(ki * t_out * t_out);
     // gathered
-    let polynomial8 = compensated!(-0.75 * d2_step * (3.0 * ki - 1.0) * (1.0 - ki) * (1.0 - ki));
+    let polynomial8 = compensated!(0.75 * d2_step * (3.0 * ki - 1.0) * (1.0 - ki) * (1.0 - ki));
     // gathered
     let polynomial9 = compensated!(ki * t_out * t_out * (ki + 1.0));
     SymmetricFrameStep {
@@ -515,7 +515,7 @@ pub fn symmetric_frame_step(
         v2_in: polynomial3 / t_out,
         v2_out: polynomial4 / polynomial5,
         a2_max: polynomial6 / polynomial7,
-        a3: polynomial8 / polynomial9,
+        a3: -polynomial8 / polynomial9,
     }
 }
 

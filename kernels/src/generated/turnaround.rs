@@ -517,13 +517,11 @@ pub fn t_in_of_tau(
     let product = 2.0 * root;
     // gathered
     let polynomial2 = compensated!(3.0 * (-2.0 * tau + t_ef_skip));
-    // gathered
-    let polynomial3 = compensated!(-3.0 * (-2.0 * tau + t_ef_skip));
     // sign-branch
     if -2.0 * tau + t_ef_skip >= 0.0 {
         0.5 * (product + polynomial2)
     } else {
-        -0.5 * cancelling / (product + polynomial3)
+        -0.5 * cancelling / (product - polynomial2)
     }
 }
 
@@ -584,14 +582,8 @@ pub fn tau_of_t_in(
     let cancelling3 = compensated!(12.0 * delta - (3.0 * t_ef_skip - 2.0 * t_in) * (3.0 * t_ef_skip - 2.0 * t_in));
     // gathered
     let polynomial = compensated!(3.0 * (3.0 * t_ef_skip - 2.0 * t_in));
-    // gathered
-    let polynomial2 = compensated!(-3.0 * (3.0 * t_ef_skip - 2.0 * t_in));
     // sign-branch
-    if cancelling >= 0.0 {
-        0.0625 * (root + polynomial)
-    } else {
-        0.5 * cancelling3 / (root + polynomial2)
-    }
+    if cancelling >= 0.0 { 0.0625 * (root + polynomial) } else { 0.5 * cancelling3 / (root - polynomial) }
 }
 
 /// The tau with which a ramp in of the time tIn makes the step delta, without a constant velocity segment.
@@ -910,11 +902,11 @@ pub fn da2_max_dtau(
     require!(tau >= 0.0, "tau >= 0");
     require!(t_in > 0.0, "tIn > 0");
     // gathered
-    let polynomial = compensated!(-6.0 * d2_step * (8.0 * tau + 3.0 * t_in));
+    let polynomial = compensated!(6.0 * d2_step * (8.0 * tau + 3.0 * t_in));
     // gathered
     let polynomial2 = compensated!((2.0 * tau + t_in) * (2.0 * tau + t_in) * (4.0 * tau + t_in) * (4.0 * tau + t_in));
     // factored
-    polynomial / polynomial2
+    -polynomial / polynomial2
 }
 
 /// Derivative of tau by the largest acceleration, at fixed d2Step and tIn, where tau = tOut/2+tEdge/4 without a constant velocity segment: always negative.
@@ -965,12 +957,15 @@ pub fn dtau_da2_max(
     require!(t_in > 0.0, "tIn > 0");
     // gathered
     let polynomial = compensated!(
-        -((2.0 * t_out + (2.0 * t_in + t_edge)) * ((2.0 * t_out + (2.0 * t_in + t_edge)) * ((2.0 * t_out + (t_edge + t_in)) * (2.0 * t_out + (t_edge + t_in)))))
+        (2.0 * t_out + (2.0 * t_in + t_edge))
+        * (2.0 * t_out + (2.0 * t_in + t_edge))
+        * (2.0 * t_out + (t_edge + t_in))
+        * (2.0 * t_out + (t_edge + t_in))
     );
     // gathered
     let polynomial2 = compensated!(24.0 * d2_step * (4.0 * t_out + (2.0 * t_edge + 3.0 * t_in)));
     // factored
-    polynomial / polynomial2
+    -polynomial / polynomial2
 }
 
 /// Share K of the four ramps' travel that the two ramps in make, by tIn, delta and a constant velocity segment tEFSkip.

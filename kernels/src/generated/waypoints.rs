@@ -784,7 +784,7 @@ pub fn cubics_at_rest(
     );
     // gathered
     let polynomial = compensated!(
-        -3.0
+        3.0
         * (t0 * t0 * (t2 * (p1 - p2) * (2.0 * t1 + t2) + t1 * t1 * (p3 - p2)) + 2.0 * t1 * t1 * t2 * (p0 - p1) * (t1 + t2))
     );
     // gathered
@@ -803,7 +803,7 @@ pub fn cubics_at_rest(
     let polynomial5 = compensated!(t0 * t0 * t1 * t2 * (4.0 * t1 * (t0 + (t1 + t2)) + 3.0 * t0 * t2));
     // gathered
     let polynomial6 = compensated!(
-        -3.0
+        3.0
         * (2.0 * t0 * (t2 * (p1 - p2) * (2.0 * t1 + t2) + t1 * t1 * (p3 - p2)) + t1 * t2 * (p1 - p0) * (4.0 * t1 + 3.0 * t2))
     );
     // gathered
@@ -822,10 +822,10 @@ pub fn cubics_at_rest(
         c10: p1,
         c20: p2,
         c01: 0.0,
-        c11: polynomial / polynomial2,
+        c11: -polynomial / polynomial2,
         c21: polynomial3 / polynomial2,
         c02: polynomial4 / polynomial5,
-        c12: polynomial6 / polynomial2,
+        c12: -polynomial6 / polynomial2,
         c22: polynomial7 / polynomial2,
         c03: -cancelling / polynomial8,
         c13: cancelling2 / polynomial9,
@@ -963,47 +963,58 @@ pub fn quartic_cubic_quartic_at_rest(
     // one-reciprocal
     let quotient = 1.0 / cancelling;
     let cancelling2 = compensated!(
-        -(t0 * t0 * (t2 * (p1 - p2) * (3.0 * t1 + t2) + 2.0 * t1 * t1 * (p3 - p2)) + 2.0 * t1 * t1 * t2 * (p0 - p1) * (3.0 * t1 + 2.0 * t2))
-        * (t0 * t2)
+        t0
+        * t2
+        * (t0 * t0 * (t2 * (p1 - p2) * (3.0 * t1 + t2) + 2.0 * t1 * t1 * (p3 - p2)) + 2.0 * t1 * t1 * t2 * (p0 - p1) * (3.0 * t1 + 2.0 * t2))
     );
+    let product = quotient * cancelling2;
     let cancelling3 = compensated!(
-        (t2 * t2 * (t0 * (p2 - p1) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p0 - p1)) + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
-        * (t0 * t2)
+        t0
+        * t2
+        * (t2 * t2 * (t0 * (p2 - p1) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p0 - p1)) + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
     );
     let cancelling4 = compensated!(
-        -3.0
+        3.0
+        * t0
+        * t2
         * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 2.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + 2.0 * t0 * t1 * t1 * (p3 - p2))
-        * (t0 * t2)
     );
+    let product2 = quotient * cancelling4;
     let cancelling5 = compensated!(
         3.0
+        * t0
+        * t2
         * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 2.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0))
-        * (t0 * t2)
     );
     let cancelling6 = compensated!(
-        (t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 4.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + 2.0 * t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2)) + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2))
-        * (t0 * t2)
+        t0
+        * t2
+        * (t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 4.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + 2.0 * t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2)) + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2))
     );
     let cancelling7 = compensated!(t1 * t2 * t2 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
-    let product = cancelling7 * quotient;
+    let product3 = cancelling7 * quotient;
     let cancelling8 = compensated!(
-        (t0 * (t2 * (p1 - p2) * (t0 + (6.0 * t1 + t2)) + 2.0 * t1 * (p3 - p2) * (3.0 * t1 + t0)) + 2.0 * t1 * t2 * (p1 - p0) * (3.0 * t1 + t2))
-        * (t0 * t2)
+        t0
+        * t2
+        * (t0 * (t2 * (p1 - p2) * (t0 + (6.0 * t1 + t2)) + 2.0 * t1 * (p3 - p2) * (3.0 * t1 + t0)) + 2.0 * t1 * t2 * (p1 - p0) * (3.0 * t1 + t2))
     );
     let cancelling9 = compensated!(t0 * t0 * t2 * t2 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
     let cancelling10 = compensated!(
-        -(t2 * (3.0 * t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 8.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0)) + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
-        * (t0 * t2)
+        t0
+        * t2
+        * (t2 * (3.0 * t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 8.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0)) + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
     );
     let cancelling11 = compensated!(t0 * t0 * t1 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
-    let product2 = cancelling11 * quotient;
+    let product4 = cancelling11 * quotient;
+    let product5 = product4 * (quotient * cancelling10);
     let cancelling12 = compensated!(
-        -(t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 3.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2)) + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2))
-        * t2
+        t2
+        * (t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 3.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2)) + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2))
     );
+    let product6 = product3 * (quotient * cancelling12);
     let cancelling13 = compensated!(
-        (t2 * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 3.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0)) + t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
-        * t0
+        t0
+        * (t2 * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 3.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0)) + t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
     );
     QuarticCubicQuarticAtRest {
         c00: p0,
@@ -1011,14 +1022,14 @@ pub fn quartic_cubic_quartic_at_rest(
         c20: p2,
         c01: 0.0,
         c02: 0.0,
-        c11: cancelling2 * quotient,
+        c11: -product,
         c21: cancelling3 * quotient,
-        c12: cancelling4 * quotient,
+        c12: -product2,
         c22: cancelling5 * quotient,
-        c03: cancelling6 * quotient * product,
+        c03: cancelling6 * quotient * product3,
         c13: cancelling8 * quotient * (cancelling9 * quotient),
-        c23: cancelling10 * quotient * product2,
-        c04: cancelling12 * quotient * product,
-        c24: cancelling13 * quotient * product2,
+        c23: -product5,
+        c04: -product6,
+        c24: cancelling13 * quotient * product4,
     }
 }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use indicatif::ProgressBar;
 
 use super::report::{Replay, Row};
-use super::{Cause, Unmeasured, inputs};
+use super::{Cause, Unmeasured};
 use crate::catalogue::{Catalogue, Entry};
 use crate::hunt::{Bag, Budget, Prey, hunt};
 use crate::kept::KeptInputs;
@@ -75,7 +75,7 @@ fn hunt_one(entry: &Entry, kept: &KeptInputs, budget: Budget, seed: u64) -> Resu
         kernel: &entry.kernel,
         reference: Reference::of(&entry.kernel)?,
         domain: entry.domain()?,
-        inputs: inputs(entry),
+        inputs: entry.inputs(),
     };
     let known = kept.points(entry);
     let bag = hunt(&prey, &known, budget, seed)?;

@@ -10,7 +10,7 @@ use crate::stable::builder::{Builder, Quotient};
 pub const RULE: Rule = Rule {
     name: "conjugate",
     statement: "a + b*sqrt(r) = (a^2 - b^2*r)/(a - b*sqrt(r))",
-    condition: "a and b*sqrt(r) are of opposite signs, so that a - b*sqrt(r) does not cancel",
+    condition: "a and b*sqrt(r) are of opposite signs, and not both 0, so that a - b*sqrt(r) does not cancel or vanish",
 };
 
 /// A sum `a + b*sqrt(r)` times a quotient, in the form that does not cancel.
@@ -31,8 +31,9 @@ pub fn apply(
     if left.plus(right).is_definite() {
         return direct(builder, sum, radical, quotient, left.plus(right));
     }
-    if left.plus(-right).is_definite() {
-        let node = rationalised(builder, sum, radical, quotient, left.plus(-right))?;
+    let below = left.plus(-right);
+    if below.is_definite() && below.is(Sign::NONZERO) {
+        let node = rationalised(builder, sum, radical, quotient, below)?;
         builder.apply(&RULE, node);
         return Ok(node);
     }

@@ -1,15 +1,19 @@
 //! Rule `gathered`: a polynomial of the inputs that takes several roundings becomes one slice.
 
 use super::Rule;
-use crate::program::{Graph, Node, Op, Wide};
+use crate::field::Sign;
+use crate::program::{Condition, Graph, Node, Op, Wide};
 use crate::stable::builder::Builder;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
 use std::collections::HashMap;
 
 /// The rule.
 pub const RULE: Rule = Rule {
     name: "gathered",
     statement: "steps that make a polynomial of the inputs are evaluated in double-double and rounded once",
-    condition: "a result of the kernel would have a bound of more than 4.5 ulp otherwise: it costs time",
+    condition: "a result of the kernel would have a bound of more than 4.5 ulp otherwise, or the contract asks for few \
+                roundings: it costs time",
 };
 
 /// A bound that is small enough, in units of 2^-53.
@@ -19,9 +23,9 @@ const ENOUGH: f64 = 4.5;
 const LARGEST: (usize, usize) = (2_000, 16);
 
 /// The results, those with many roundings by slices.
-pub fn apply(builder: &mut Builder, results: &[Node]) -> Vec<Node> {
+pub fn apply(builder: &mut Builder, results: &[Node], few_roundings: bool) -> Vec<Node> {
     let worst = results.iter().map(|&result| builder.graph.error(result)).fold(0.0, f64::max);
-    if worst <= ENOUGH {
+    if worst <= ENOUGH && !few_roundings {
         return results.to_vec();
     }
     let mut known = HashMap::new();
@@ -35,9 +39,9 @@ fn gathered(builder: &mut Builder, node: Node, known: &mut HashMap<Node, Node>) 
     let done = match slice(&builder.graph, node) {
         Some(wide) => {
             let sign = builder.graph.sign(node);
-            let slice = builder.graph.compensated(wide, sign);
+            let (slice, value) = in_order(&mut builder.graph, wide, sign);
             builder.apply(&RULE, slice);
-            slice
+            value
         }
         None => in_parts(builder, node, known),
     };
@@ -52,6 +56,40 @@ fn slice(graph: &Graph, node: Node) -> Option<Wide> {
     graph.polynomial(node).filter(|wide| worth && fits(wide))
 }
 
+/// A slice of a product without its sign, and the product: the factors stand in one order, so that equal slices, and those
+/// of other signs, are one step.
+pub fn in_order(graph: &mut Graph, wide: Wide, sign: Sign) -> (Node, Node) {
+    let (mut negative, mut factors) = (false, Vec::new());
+    split(wide, &mut negative, &mut factors);
+    for factor in &mut factors {
+        let literal = if let Wide::Leaf(leaf) = factor { graph.literal(*leaf).cloned() } else { None };
+        if let Some(value) = literal.filter(Signed::is_negative) {
+            negative = !negative;
+            *factor = Wide::Leaf(graph.constant(&-value));
+        }
+    }
+    factors.sort_by_key(|factor| match factor {
+        Wide::Leaf(leaf) => (graph.literal(*leaf).is_none(), leaf.0),
+        _ => (true, usize::MAX),
+    });
+    let product = factors.into_iter().reduce(|a, b| Wide::Mul(a.into(), b.into()));
+    let product = product.unwrap_or_else(|| Wide::Leaf(graph.constant(&BigRational::one())));
+    let slice = graph.compensated(product, if negative { -sign } else { sign });
+    (slice, if negative { graph.neg(slice) } else { slice })
+}
+
+/// The factors of a product, without their signs.
+fn split(wide: Wide, negative: &mut bool, factors: &mut Vec<Wide>) {
+    match wide {
+        Wide::Mul(a, b) => [a, b].into_iter().for_each(|factor| split(*factor, negative, factors)),
+        Wide::Neg(a) => {
+            *negative = !*negative;
+            split(*a, negative, factors);
+        }
+        factor => factors.push(factor),
+    }
+}
+
 fn in_parts(builder: &mut Builder, node: Node, known: &mut HashMap<Node, Node>) -> Node {
     let made = match builder.graph.op(node).clone() {
         Op::Neg(a) => {
@@ -63,12 +101,12 @@ fn in_parts(builder: &mut Builder, node: Node, known: &mut HashMap<Node, Node>) 
             builder.graph.sqrt(a)
         }
         Op::Add(a, b) => {
-            let (a, b) = (gathered(builder, a, known), gathered(builder, b, known));
+            let [a, b] = terms(builder, [a, b], known);
             let sum = builder.graph.add(a, b);
             uncancelled(builder, sum, [a, b], node)
         }
         Op::Sub(a, b) => {
-            let (a, b) = (gathered(builder, a, known), gathered(builder, b, known));
+            let [a, b] = terms(builder, [a, b], known);
             let difference = builder.graph.sub(a, b);
             uncancelled(builder, difference, [a, b], node)
         }
@@ -81,6 +119,7 @@ fn in_parts(builder: &mut Builder, node: Node, known: &mut HashMap<Node, Node>) 
             builder.graph.div(a, b)
         }
         Op::If(condition, a, b) => {
+            let condition = decided(builder, condition, known);
             let (a, b) = (gathered(builder, a, known), gathered(builder, b, known));
             builder.graph.select(condition, a, b)
         }
@@ -91,6 +130,38 @@ fn in_parts(builder: &mut Builder, node: Node, known: &mut HashMap<Node, Node>) 
     let rules = builder.graph.rules(node).to_vec();
     rules.into_iter().for_each(|rule| builder.graph.mark(made, rule));
     made
+}
+
+/// The terms of a sum, gathered where that makes the larger of their errors less.
+fn terms(builder: &mut Builder, plain: [Node; 2], known: &mut HashMap<Node, Node>) -> [Node; 2] {
+    let [a, b] = plain.map(|term| gathered(builder, term, known));
+    let needed = |plain: Node, gathered: Node, other: Node| {
+        if builder.graph.error(plain) <= builder.graph.error(other) { plain } else { gathered }
+    };
+    [needed(plain[0], a, b), needed(plain[1], b, a)]
+}
+
+/// The condition on what is gathered, so that nothing is computed twice.
+fn decided(builder: &mut Builder, condition: Condition, known: &mut HashMap<Node, Node>) -> Condition {
+    let both = |builder: &mut Builder, a: Condition, b: Condition, known: &mut HashMap<Node, Node>| {
+        [decided(builder, a, known), decided(builder, b, known)].map(Box::new)
+    };
+    match condition {
+        Condition::Compare(a, order, b) => {
+            let (a, b) = (gathered(builder, a, known), gathered(builder, b, known));
+            let with_zero = builder.graph.literal(b).is_some_and(Zero::is_zero);
+            if with_zero { builder.compare_with_zero(a, order) } else { Condition::Compare(a, order, b) }
+        }
+        Condition::And(a, b) => {
+            let [a, b] = both(builder, *a, *b, known);
+            Condition::And(a, b)
+        }
+        Condition::Or(a, b) => {
+            let [a, b] = both(builder, *a, *b, known);
+            Condition::Or(a, b)
+        }
+        Condition::Not(inner) => Condition::Not(decided(builder, *inner, known).into()),
+    }
 }
 
 /// A sum that does not cancel, because the sum of the same terms that it stands for does not.

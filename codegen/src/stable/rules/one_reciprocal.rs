@@ -38,7 +38,7 @@ pub fn apply(builder: &mut Builder, results: &[Node]) -> Vec<Node> {
         return results.to_vec();
     }
     let one = builder.graph.constant(&BigRational::one());
-    let whole = builder.graph.compensated(whole, Sign::ANY);
+    let (_, whole) = gathered::in_order(&mut builder.graph, whole, Sign::ANY);
     let reciprocal = builder.graph.div(one, whole);
     builder.apply(&RULE, reciprocal);
     let through = |(&result, quotient): (&Node, &Option<Quotient>)| {
@@ -66,12 +66,12 @@ impl Quotient {
         if !std::iter::once(&scaled).chain(inverses.iter().flatten()).all(gathered::fits) {
             return None;
         }
-        let scaled = graph.compensated(scaled, Sign::ANY);
+        let (_, scaled) = gathered::in_order(graph, scaled, Sign::ANY);
         let mut value = graph.mul(scaled, reciprocal);
         for others in inverses {
             let inverse = match others {
                 Some(others) => {
-                    let others = graph.compensated(others, Sign::ANY);
+                    let (_, others) = gathered::in_order(graph, others, Sign::ANY);
                     graph.mul(others, reciprocal)
                 }
                 None => reciprocal,

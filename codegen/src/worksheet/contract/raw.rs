@@ -45,6 +45,8 @@ pub(super) struct Kernel {
     pub(super) domain: Vec<Spanned<String>>,
     pub(super) branch: Option<String>,
     #[serde(default)]
+    pub(super) few_roundings: bool,
+    #[serde(default)]
     pub(super) one_division: bool,
     pub(super) edges: Option<String>,
     pub(super) returns: Option<Spanned<String>>,

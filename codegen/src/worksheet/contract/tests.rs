@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use miette::{GraphicalReportHandler, GraphicalTheme};
-
 use super::*;
+use crate::drawn::drawn;
 
 const GOOD: &str = r#"[family]
 title = "Turn-around of the step axis"
@@ -34,11 +33,7 @@ fn with(old: &str, new: &str) -> String {
 }
 
 fn report(path: &str, text: &str) -> String {
-    let error = parse(Path::new(path), text).unwrap_err();
-    let mut drawn = String::new();
-    let handler = GraphicalReportHandler::new_themed(GraphicalTheme::none()).with_width(120);
-    handler.render_report(&mut drawn, &error).unwrap();
-    drawn.lines().map(str::trim_end).collect::<Vec<_>>().join("\n")
+    drawn(&parse(Path::new(path), text).unwrap_err())
 }
 
 /// Checks that the one mistake is told in these words, with a caret under `place`.

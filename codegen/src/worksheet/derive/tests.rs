@@ -2,9 +2,8 @@
 
 use std::time::Duration;
 
-use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme};
-
 use super::*;
+use crate::drawn::{drawn, has};
 
 const CONTRACT: &str = r#"[family]
 title = "A family"
@@ -48,22 +47,12 @@ fn failure(worksheet: &str, limit: Duration) -> String {
     let folder = folder(worksheet);
     let error = derive(folder.path(), "family", &options(limit)).unwrap_err();
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2, "the folder has changed");
-    report(&error).replace(&folder.path().display().to_string(), "FOLDER")
-}
-
-fn report(error: &dyn Diagnostic) -> String {
-    let mut drawn = String::new();
-    let handler = GraphicalReportHandler::new_themed(GraphicalTheme::none()).with_width(120);
-    handler.render_report(&mut drawn, error).unwrap();
-    drawn
+    drawn(&error).replace(&folder.path().display().to_string(), "FOLDER")
 }
 
 #[track_caller]
 fn fails(worksheet: &str, words: &[&str]) {
-    let report = failure(worksheet, Duration::from_secs(60));
-    for word in words {
-        assert!(report.contains(word), "`{word}` is not in\n{report}");
-    }
+    has(&failure(worksheet, Duration::from_secs(60)), words);
 }
 
 #[test]
@@ -170,7 +159,7 @@ fn a_missing_maxima_says_how_to_get_one() {
     let folder = folder(WORKSHEET);
     let maxima = Maxima { program: "no-such-maxima".into(), ..Maxima::default() };
     let error = derive(folder.path(), "family", &Options { maxima, ..Options::default() }).unwrap_err();
-    let report = report(&error);
+    let report = drawn(&error);
     assert!(report.contains("apt-get install maxima") && report.contains("CLOSEDFORM_MAXIMA"), "{report}");
 }
 

@@ -170,13 +170,14 @@ fn repeated(names: &[String]) -> Option<String> {
     names.iter().find(|name| !seen.insert(*name)).cloned()
 }
 
-/// What can be promised without anybody's word: every definition is a kernel, every quantity without a unit.
+/// What can be promised without anybody's word: every definition is a kernel, every quantity without a unit, and digits
+/// go before time.
 fn contract_of(stem: &str, definitions: &[Definition]) -> Contract {
     let mut kernels: Vec<KernelContract> = Vec::new();
     let mut inputs: BTreeMap<String, Input> = BTreeMap::new();
     for definition in definitions {
         let name = unused_name(&definition.name, &kernels.iter().map(|kernel| kernel.name.clone()).collect());
-        kernels.push(kernel(definition, name));
+        kernels.push(kernel(definition, name, stem));
         for parameter in &definition.parameters {
             let taken = inputs.values().map(|input| input.name.clone()).collect();
             inputs.entry(parameter.clone()).or_insert_with(|| input(parameter, unused_name(parameter, &taken)));
@@ -185,15 +186,16 @@ fn contract_of(stem: &str, definitions: &[Definition]) -> Contract {
     Contract { family: FamilyInfo { title: stem.to_owned(), source: String::new() }, inputs, kernels }
 }
 
-fn kernel(definition: &Definition, name: String) -> KernelContract {
+fn kernel(definition: &Definition, name: String, stem: &str) -> KernelContract {
     let result = ResultContract { name: name.clone(), worksheet: definition.name.clone(), unit: "1".to_owned() };
     KernelContract {
         name,
         doc: format!("`{}` of the worksheet.", definition.name),
-        source: String::new(),
+        source: format!("worksheet `{stem}`"),
         inputs: definition.parameters.clone(),
         domain: natural_domain(&definition.body, &definition.parameters),
         branch: None,
+        few_roundings: true,
         one_division: false,
         edges: None,
         returns: None,

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use closedform_maxima::print;
-use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme};
 
 use super::*;
+use crate::drawn::{drawn, has};
 
 const CONTRACT: &str = r#"[family]
 title = "A family"
@@ -36,28 +36,14 @@ fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
     folder
 }
 
-fn report(error: &dyn Diagnostic) -> String {
-    let mut drawn = String::new();
-    let handler = GraphicalReportHandler::new_themed(GraphicalTheme::none()).with_width(120);
-    handler.render_report(&mut drawn, error).unwrap();
-    drawn
-}
-
-#[track_caller]
-fn has(report: &str, words: &[&str]) {
-    for word in words {
-        assert!(report.contains(word), "`{word}` is not in\n{report}");
-    }
-}
-
 fn with_reference(reference: &str) -> String {
     let folder = folder(&[("family.toml", CONTRACT), ("family.ref", reference)]);
-    report(&Family::load(folder.path(), "family").unwrap_err())
+    drawn(&Family::load(folder.path(), "family").unwrap_err())
 }
 
 fn stranger(text: &str) -> Result<Family, String> {
     let folder = folder(&[("my.mac", text)]);
-    Family::from_worksheet(&folder.path().join("my.mac")).map_err(|error| report(&error))
+    Family::from_worksheet(&folder.path().join("my.mac")).map_err(|error| drawn(&error))
 }
 
 #[test]
@@ -74,7 +60,7 @@ fn references_come_in_contract_order() {
 #[test]
 fn missing_files_say_what_makes_them() {
     let folder = folder(&[("family.toml", CONTRACT)]);
-    let error = report(&Family::load(folder.path(), "family").unwrap_err());
+    let error = drawn(&Family::load(folder.path(), "family").unwrap_err());
     has(&error, &["family.ref", "closedform derive family"]);
     assert!(families(Path::new("/nowhere")).is_err());
 }

@@ -91,12 +91,13 @@ fn named(comparisons: &[&Comparison], inputs: usize) -> Vec<usize> {
 }
 
 /// The place of a float among all floats, in order.
-fn rank(value: f64) -> i64 {
+pub(crate) fn rank(value: f64) -> i64 {
     let bits = value.to_bits() as i64;
     if bits < 0 { i64::MIN - bits } else { bits }
 }
 
-fn unrank(rank: i64) -> f64 {
+/// The float at a place.
+pub(crate) fn unrank(rank: i64) -> f64 {
     f64::from_bits(if rank < 0 { i64::MIN - rank } else { rank } as u64)
 }
 

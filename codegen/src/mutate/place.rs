@@ -1,0 +1,83 @@
+//! Places: the statements of a kernel, as text and by line.
+
+use closedform_syntax::{Condition, Expr, Kernel, Output, condition_text, expression_text};
+use proc_macro2::Span;
+
+/// A statement of a kernel that can be mutated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// A `require!`, by position.
+    Require(usize),
+    /// A `let`, by position.
+    Let(usize),
+    /// A result, by position.
+    Result(usize),
+}
+
+/// What a mutation changed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Change {
+    /// The line of the generated file.
+    pub line: usize,
+    /// The statement of the kernel.
+    pub was: String,
+    /// The statement of the mutant.
+    pub is: String,
+}
+
+impl Part {
+    /// Every statement of a kernel, in order.
+    pub fn all(kernel: &Kernel) -> Vec<Part> {
+        let requires = (0..kernel.requires.len()).map(Part::Require);
+        let lets = (0..kernel.lets.len()).map(Part::Let);
+        requires.chain(lets).chain((0..kernel.output.values().count()).map(Part::Result)).collect()
+    }
+
+    /// The statement as text.
+    pub fn text(self, kernel: &Kernel) -> String {
+        match (self, &kernel.output) {
+            (Part::Require(at), _) => format!("require!({});", condition_text(&kernel.requires[at].condition)),
+            (Part::Let(at), _) => {
+                let step = &kernel.lets[at];
+                format!("let {} = {};", step.name, expression_text(&step.value))
+            }
+            (Part::Result(_), Output::Value(value)) => expression_text(value),
+            (Part::Result(at), Output::Struct { fields, .. }) => {
+                let (name, value) = &fields[at];
+                format!("{name}: {},", expression_text(value))
+            }
+        }
+    }
+
+    /// The line on which the statement begins, in the text that the kernel was read from.
+    pub fn line(self, kernel: &Kernel) -> usize {
+        let span = match (self, &kernel.output) {
+            (Part::Require(at), _) => first_of_condition(&kernel.requires[at].condition),
+            (Part::Let(at), _) => kernel.lets[at].name.span(),
+            (Part::Result(_), Output::Value(value)) => first(value),
+            (Part::Result(at), Output::Struct { fields, .. }) => fields[at].0.span(),
+        };
+        span.start().line
+    }
+}
+
+/// Where the first number or name of a condition stands.
+fn first_of_condition(condition: &Condition) -> Span {
+    match condition {
+        Condition::Compare { left, .. } => first(left),
+        Condition::And(left, _) | Condition::Or(left, _) | Condition::Not(left) => first_of_condition(left),
+    }
+}
+
+/// Where the first number or name of an expression stands.
+fn first(expr: &Expr) -> Span {
+    match expr {
+        Expr::Literal { span, .. } | Expr::Pi(span) => *span,
+        Expr::Name(name) => name.ident.span(),
+        Expr::Neg(inner) | Expr::Sqrt(inner) | Expr::Abs(inner) | Expr::Residual(inner) => first(inner),
+        Expr::Binary { left, .. } => first(left),
+        Expr::If { condition, .. } => first_of_condition(condition),
+        Expr::Compensated(slice) => first(&slice.value),
+        Expr::Extreme { items, .. } | Expr::PositiveRoot(items) => items.first().map_or_else(Span::call_site, first),
+    }
+}
