@@ -147,7 +147,7 @@ impl<const WORDS: usize> Sum<WORDS> {
 
     /// The leading bits.
     fn leading(&mut self, lowest: i32, used: usize) -> Soft {
-        let negative = self.0.iter().take(used).last().is_some_and(|word| word >> 63 != 0);
+        let negative = self.0.get(used.saturating_sub(1)).is_some_and(|word| word >> 63 != 0);
         let mut carry = negative;
         for word in self.0.iter_mut().take(used).filter(|_| negative) {
             (*word, carry) = (!*word).overflowing_add(carry.into());

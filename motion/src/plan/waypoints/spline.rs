@@ -248,6 +248,8 @@ mod tests {
         pairs.iter().fold(0.0, |apart: f64, (a, b)| apart.max((a - b).abs())) / most
     }
 
+    type Numbers = fn(&Segment) -> Vec<f64>;
+
     #[test]
     fn four_points_agree_with_the_kernels() {
         let paths = [
@@ -260,7 +262,7 @@ mod tests {
             for (p, t) in &paths {
                 let kernels = four::segments(problem, p, t).unwrap();
                 let general = segments(problem, p, t);
-                let numbers: [(&str, fn(&Segment) -> Vec<f64>); 4] = [
+                let numbers: [(&str, Numbers); 4] = [
                     ("velocity", |s| vec![s.start.velocity, s.end.velocity]),
                     ("acceleration", |s| vec![s.start.acceleration, s.end.acceleration]),
                     ("jerk", |s| vec![s.jerk]),
