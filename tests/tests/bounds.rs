@@ -62,12 +62,12 @@ fn sums_that_may_cancel_are_refused() {
             "(root - polynomial2",
             &["`t_in`", CANCELS, "the right one not positive"],
         ),
-        ("turnaround", "inner_ramp", "t0 + quotient", "t0 - quotient", &["`k`", CANCELS]),
+        ("turnaround", "outer_ramp", "polynomial7 * root + ", "polynomial7 * root - ", &["`k`", CANCELS]),
         ("milling_time", "direction", "x * x + ", "x * y + ", &["`root`", CANCELS, "open"]),
         ("milling_time", "cut_speed", "+ 4.0 * length", "- 4.0 * length", &["`root`", CANCELS]),
         ("step_move", "continuous_move", "5.0 * root + ko", "5.0 * root - ko", &["`sum`", CANCELS]),
-        ("step_move", "continuous_move", "2.0 * quotient + ki", "2.0 * quotient - ki", &["`kx1`", CANCELS]),
-        ("overhead", "step_limited", "product * root + t_in", "product * root - t_in", &["`t_ovr_hd`", CANCELS]),
+        ("step_move", "continuous_move", "product + cancelling5", "product - cancelling5", &["`kx1`", CANCELS]),
+        ("overhead", "step_limited", "polynomial2 * root + ", "polynomial2 * root - ", &["`t_ovr_hd`", CANCELS]),
     ]);
 }
 
@@ -81,13 +81,7 @@ fn dropped_compensation_is_refused() {
             "let cancelling = (",
             &["`cancelling`", "may cancel"],
         ),
-        (
-            "turnaround",
-            "outer_ramp",
-            "0.5 * a0 * quotient",
-            "compensated!(a0 * quotient)",
-            &["`v0`", "takes `quotient` for exact"],
-        ),
+        ("turnaround", "outer_ramp", "polynomial3 / sum", "compensated!(a0 * sum)", &["`v0`", "takes `sum` for exact"]),
     ]);
 }
 

@@ -93,6 +93,11 @@ impl Builder {
         &self.used
     }
 
+    /// Forgets the rules of steps that were tried and not taken.
+    pub fn reset_rules(&mut self, used: BTreeSet<&'static str>) {
+        self.used = used;
+    }
+
     /// Lets polynomials be built anew, because more is known of their signs.
     pub fn forget_polynomials(&mut self) {
         self.polynomials.clear();

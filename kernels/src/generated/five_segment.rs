@@ -58,7 +58,7 @@ pub struct ByAccelerations {
 /// # Error
 ///
 /// - `t0`: at most 2.01 ulp, barring overflow and underflow
-/// - `ko`: at most 8.51 ulp, barring overflow and underflow
+/// - `ko`: at most 6.51 ulp, barring overflow and underflow
 /// - `t2`: at most 13.01 ulp, barring overflow and underflow
 /// - `v0`: at most 1.51 ulp, barring overflow and underflow
 /// - `v1`: at most 4.51 ulp, barring overflow and underflow
@@ -69,8 +69,8 @@ pub struct ByAccelerations {
     maxima = "s5ST_t0(DeltaX,Ki,a0,a1,t1):=sqrt(3)*sqrt(DeltaX*Ki*a0)/a0\ns5ST_Ko(DeltaX,Ki,a0,a1,t1):=((a1+2*a0)*t1^2+3^(3/2)*sqrt(DeltaX*Ki*a0)*t1)/(3*DeltaX)+Ki\ns5ST_t2(DeltaX,Ki,a0,a1,t1):=12*DeltaX*(-((a1+2*a0)*t1^2+3^(3/2)*sqrt(DeltaX*Ki*a0)*t1)/(3*DeltaX)-Ki+1)/(sqrt(9*((a1+a0)*t1+sqrt(3)*sqrt(DeltaX*Ki*a0))^2+24*DeltaX*a1*(-((a1+2*a0)*t1^2+3^(3/2)*sqrt(DeltaX*Ki*a0)*t1)/(3*DeltaX)-Ki+1))+3*((a1+a0)*t1+sqrt(3)*sqrt(DeltaX*Ki*a0)))\ns5ST_v0(DeltaX,Ki,a0,a1,t1):=sqrt(3)*sqrt(DeltaX*Ki*a0)/2\ns5ST_v1(DeltaX,Ki,a0,a1,t1):=((a1+a0)*t1+sqrt(3)*sqrt(DeltaX*Ki*a0))/2",
     latex = "s_{5,\\mathrm{ST},t,0} = \\frac{\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}}{a_{0}} \\\\ s_{5,\\mathrm{ST},\\mathrm{Ko}} = \\frac{\\left(a_{1}+2\\,a_{0}\\right)\\,t_{1}^{2}+3^{\\frac{3}{2}}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\,t_{1}}{3\\,\\Delta_{X}}+\\mathrm{Ki} \\\\ s_{5,\\mathrm{ST},t,2} = \\frac{12\\,\\Delta_{X}\\,\\left(\\frac{-\\left(\\left(a_{1}+2\\,a_{0}\\right)\\,t_{1}^{2}+3^{\\frac{3}{2}}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\,t_{1}\\right)}{3\\,\\Delta_{X}}-\\mathrm{Ki}+1\\right)}{\\sqrt{9\\,\\left(\\left(a_{1}+a_{0}\\right)\\,t_{1}+\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\right)^{2}+24\\,\\Delta_{X}\\,a_{1}\\,\\left(\\frac{-\\left(\\left(a_{1}+2\\,a_{0}\\right)\\,t_{1}^{2}+3^{\\frac{3}{2}}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\,t_{1}\\right)}{3\\,\\Delta_{X}}-\\mathrm{Ki}+1\\right)}+3\\,\\left(\\left(a_{1}+a_{0}\\right)\\,t_{1}+\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\right)} \\\\ s_{5,\\mathrm{ST},v,0} = \\frac{\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}}{2} \\\\ s_{5,\\mathrm{ST},v,1} = \\frac{\\left(a_{1}+a_{0}\\right)\\,t_{1}+\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}}{2}",
     source = "3 s5ST[1]",
-    rules("compensated", "conjugate", "factored", "gathered", "merge-roots", "sign-branch"),
-    bound(t0 = 2.01, ko = 8.51, t2 = 13.01, v0 = 1.51, v1 = 4.51),
+    rules("compensated", "conjugate", "distributed", "factored", "gathered", "merge-roots", "sign-branch"),
+    bound(t0 = 2.01, ko = 6.51, t2 = 13.01, v0 = 1.51, v1 = 4.51),
     results(
         t0(worksheet = "s5ST_t0", unit = "s"),
         ko(worksheet = "s5ST_Ko", unit = "1"),
@@ -102,7 +102,6 @@ pub fn by_accelerations(
         3.0 * delta_x * (ki * (9.0 * a0 - 8.0 * a1) + 8.0 * a1)
         + t1 * t1 * (a0 * (9.0 * a0 + 2.0 * a1) + a1 * a1)
     );
-    let product = 3.0 * delta_x;
     // compensated
     let cancelling3 = compensated!(t1 * t1 * (2.0 * a0 + a1) + 3.0 * delta_x * ki);
     // compensated
@@ -130,37 +129,41 @@ pub fn by_accelerations(
     let polynomial2 = compensated!(3.0 * delta_x * ki * a0);
     // merge-roots
     let root = sqrt(polynomial2);
-    let product2 = 3.0 * t1 * root;
+    let product = 3.0 * t1 * root;
     // gathered
-    let polynomial3 = compensated!(t1 * (a0 + a1));
-    let sum2 = root + polynomial3;
+    let polynomial3 = compensated!(9.0 * delta_x * t1);
     // gathered
-    let polynomial4 = compensated!(3.0 * (t1 * t1 * (a0 + a1) * (a0 + a1) - 3.0 * delta_x * ki * a0));
-    let difference = root - polynomial3;
+    let polynomial4 = compensated!(3.0 * delta_x * (t1 * t1 * (2.0 * a0 + a1) + 3.0 * delta_x * ki));
+    // gathered
+    let polynomial5 = compensated!(t1 * (a0 + a1));
+    let sum2 = root + polynomial5;
+    // gathered
+    let polynomial6 = compensated!(3.0 * (t1 * t1 * (a0 + a1) * (a0 + a1) - 3.0 * delta_x * ki * a0));
+    let difference = root - polynomial5;
     // sign-branch
-    let chosen = if sum >= 0.0 { 3.0 * sum2 } else { -polynomial4 / difference };
+    let chosen = if sum >= 0.0 { 3.0 * sum2 } else { -polynomial6 / difference };
     // gathered
-    let polynomial5 = compensated!(6.0 * t1 * (a1 - 3.0 * a0));
+    let polynomial7 = compensated!(6.0 * t1 * (a1 - 3.0 * a0));
     // factored
-    let product3 = root * polynomial5;
+    let product2 = root * polynomial7;
     // sign-branch
     let chosen2 = if (cancelling2 >= 0.0 && cancelling6 <= 0.0) || (cancelling2 <= 0.0 && cancelling6 >= 0.0) {
-        cancelling2 - product3
+        cancelling2 - product2
     } else {
-        cancelling7 / (product3 + cancelling2)
+        cancelling7 / (product2 + cancelling2)
     };
     let root2 = sqrt(chosen2);
     ByAccelerations {
         t0: sqrt(polynomial / a0),
         ko: if cancelling3 >= 0.0 {
-            (product2 + cancelling3) / product
+            (product + cancelling3) / (3.0 * delta_x)
         } else {
-            -cancelling4 / (product * (product2 - cancelling3))
+            -cancelling4 / (polynomial3 * root - polynomial4)
         },
         t2: if chosen <= 0.0 {
             -0.5 * (chosen - root2) / a1
         } else {
-            4.0 * cancelling8 / ((root2 + chosen) * (product2 + cancelling))
+            4.0 * cancelling8 / ((root2 + chosen) * (product + cancelling))
         },
         v0: 0.5 * root,
         v1: if sum >= 0.0 { 0.5 * sum2 } else { -0.5 * cancelling5 / difference },
@@ -196,7 +199,7 @@ pub fn by_accelerations(
 ///
 /// # Error
 ///
-/// - at most 8.51 ulp, barring overflow and underflow
+/// - at most 6.51 ulp, barring overflow and underflow
 ///
 /// From: 3 Ko = 1 (not shown).
 #[kernel(
@@ -204,8 +207,8 @@ pub fn by_accelerations(
     maxima = "s5_Ki_Ko1(DeltaX,a0,a1,t1):=(sqrt(a0)*sqrt((a0-4*a1)*t1^2+12*DeltaX)-3*a0*t1)^2/(12*DeltaX*a0)",
     latex = "s_{5,\\mathrm{Ki},\\mathrm{Ko},1} = \\frac{\\left(\\sqrt{a_{0}}\\,\\sqrt{\\left(a_{0}-4\\,a_{1}\\right)\\,t_{1}^{2}+12\\,\\Delta_{X}}-3\\,a_{0}\\,t_{1}\\right)^{2}}{12\\,\\Delta_{X}\\,a_{0}}",
     source = "3 Ko = 1 (not shown)",
-    rules("compensated", "conjugate", "factored", "gathered", "merge-roots"),
-    bound = 8.51,
+    rules("compensated", "conjugate", "distributed", "factored", "gathered", "merge-roots"),
+    bound = 6.51,
     result(worksheet = "s5_Ki_Ko1", unit = "1"),
 )]
 pub fn ki_without_middle(
@@ -219,16 +222,18 @@ pub fn ki_without_middle(
     require!(t1 > 0.0, "t1 > 0");
     require!(compensated!(3.0 * delta_x - t1 * t1 * (2.0 * a0 + a1)) > 0.0, "3*DeltaX > (a1+2*a0)*t1^2");
     require!(a1 >= 0.0 || compensated!(3.0 * delta_x * a0 - a1 * a1 * t1 * t1) > 0.0, "a1 >= 0 or 3*a0*DeltaX > a1^2*t1^2");
-    // compensated
-    let cancelling = compensated!(t1 * t1 * (5.0 * a0 - 2.0 * a1) + 6.0 * delta_x);
     // gathered
     let polynomial = compensated!(2.0 * (3.0 * delta_x - t1 * t1 * (2.0 * a0 + a1)) * (3.0 * delta_x - t1 * t1 * (2.0 * a0 + a1)));
     // gathered
     let polynomial2 = compensated!(a0 * (t1 * t1 * (a0 - 4.0 * a1) + 12.0 * delta_x));
     // merge-roots
     let root = sqrt(polynomial2);
+    // gathered
+    let polynomial3 = compensated!(9.0 * delta_x * t1);
+    // gathered
+    let polynomial4 = compensated!(3.0 * delta_x * (t1 * t1 * (5.0 * a0 - 2.0 * a1) + 6.0 * delta_x));
     // factored, conjugate
-    polynomial / (3.0 * delta_x * (3.0 * t1 * root + cancelling))
+    polynomial / (polynomial3 * root + polynomial4)
 }
 
 /// What [`by_times`](fn@by_times) returns.

@@ -324,7 +324,7 @@ pub struct ConstantAcceleration {
 /// # Error
 ///
 /// - `speed`: at most 2.51 ulp, barring overflow and underflow
-/// - `time`: at most 6.51 ulp, barring overflow and underflow
+/// - `time`: at most 4.51 ulp, barring overflow and underflow
 ///
 /// From: not in the seed: the limit of its steps.
 #[kernel(
@@ -332,8 +332,8 @@ pub struct ConstantAcceleration {
     maxima = "mt_constant_speed(n,u,a,L):=sqrt(u^2+2*L*a*n)/n\nmt_constant_time(n,u,a,L):=(sqrt(u^2+2*L*a*n)-u)/a",
     latex = "\\mathrm{mt}_{\\mathrm{constant},\\mathrm{speed}} = \\frac{\\sqrt{u^{2}+2\\,L\\,a\\,n}}{n} \\\\ \\mathrm{mt}_{\\mathrm{constant},\\mathrm{time}} = \\frac{\\sqrt{u^{2}+2\\,L\\,a\\,n}-u}{a}",
     source = "not in the seed: the limit of its steps",
-    rules("factored", "gathered", "through-result"),
-    bound(speed = 2.51, time = 6.51),
+    rules("conjugate", "gathered"),
+    bound(speed = 2.51, time = 4.51),
     results(
         speed(worksheet = "mt_constant_speed", unit = "mm/s"),
         time(worksheet = "mt_constant_time", unit = "s"),
@@ -352,10 +352,9 @@ pub fn constant_acceleration(
     // gathered
     let polynomial = compensated!(2.0 * n * a * length + u * u);
     let root = sqrt(polynomial);
-    let quotient = root / n;
     ConstantAcceleration {
-        speed: quotient,
-        time: 2.0 * n * length / (n * quotient + u),
+        speed: root / n,
+        time: 2.0 * n * length / (root + u),
     }
 }
 

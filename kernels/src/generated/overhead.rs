@@ -44,8 +44,8 @@ pub struct StepLimited {
 ///
 /// # Error
 ///
-/// - `t_ovr_hd`: at most 8.51 ulp, barring overflow and underflow
-/// - `dt_ovr_hd_dt_in`: at most 8.51 ulp, barring overflow and underflow
+/// - `t_ovr_hd`: at most 6.51 ulp, barring overflow and underflow
+/// - `dt_ovr_hd_dt_in`: at most 6.51 ulp, barring overflow and underflow
 ///
 /// From: double optimisation rscn_tOv; second numbering 1.2 tOv_diff_tIn.
 #[kernel(
@@ -53,8 +53,8 @@ pub struct StepLimited {
     maxima = "rscn_tOv(tIn,delta,v1Diff,v1Scan):=tIn*v1Diff/(3*v1Scan)+sqrt(tIn^2+24*delta)/4-3*tIn/4\ntOv_diff_tIn(tIn,delta,v1Diff,v1Scan):=v1Diff/(3*v1Scan)+tIn/(4*sqrt(tIn^2+24*delta))-3/4",
     latex = "\\mathrm{rscn}_{\\mathrm{tOv}} = \\frac{t_{\\mathrm{In}}\\,v_{1,\\mathrm{Diff}}}{3\\,v_{1,\\mathrm{Scan}}}+\\frac{\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}}{4}-\\frac{3\\,t_{\\mathrm{In}}}{4} \\\\ t_{\\mathrm{Ov},\\mathrm{diff},\\mathrm{tIn}} = \\frac{v_{1,\\mathrm{Diff}}}{3\\,v_{1,\\mathrm{Scan}}}+\\frac{t_{\\mathrm{In}}}{4\\,\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}}-\\frac{3}{4}",
     source = "double optimisation rscn_tOv; second numbering 1.2 tOv_diff_tIn",
-    rules("compensated", "conjugate", "factored", "gathered", "known-sum"),
-    bound(t_ovr_hd = 8.51, dt_ovr_hd_dt_in = 8.51),
+    rules("compensated", "conjugate", "distributed", "factored", "gathered", "known-sum"),
+    bound(t_ovr_hd = 6.51, dt_ovr_hd_dt_in = 6.51),
     results(
         t_ovr_hd(worksheet = "rscn_tOv", unit = "s"),
         dt_ovr_hd_dt_in(worksheet = "tOv_diff_tIn", unit = "1"),
@@ -71,7 +71,6 @@ pub fn step_limited(
     require!(compensated!(3.0 * delta - t_in * t_in) >= 0.0, "3*delta >= tIn^2");
     require!(v1_diff >= 0.0, "v1Diff >= 0");
     require!(v1_scan > v1_diff, "v1Scan > v1Diff");
-    let product = 3.0 * v1_scan;
     // compensated
     let cancelling = compensated!(
         t_in * t_in * (2.0 * v1_diff - 3.0 * v1_scan) * (3.0 * v1_scan - v1_diff)
@@ -81,19 +80,21 @@ pub fn step_limited(
     let polynomial = compensated!(24.0 * delta + t_in * t_in);
     let root = sqrt(polynomial);
     // gathered
-    let polynomial2 = compensated!(
+    let polynomial2 = compensated!(9.0 * v1_scan * v1_scan);
+    // gathered
+    let polynomial3 = compensated!(3.0 * t_in * v1_scan * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)));
+    // gathered
+    let polynomial4 = compensated!(
         2.0
         * (t_in * t_in * (2.0 * (v1_scan - v1_diff) + v1_scan) * (2.0 * v1_scan + (v1_scan - v1_diff)) + 3.0 * delta * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)) * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)))
     );
     // gathered
-    let polynomial3 = compensated!(3.0 * t_in * v1_scan);
+    let polynomial5 = compensated!(9.0 * t_in * v1_scan * v1_scan);
     // gathered
-    let polynomial4 = compensated!((24.0 * delta + t_in * t_in) * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)));
+    let polynomial6 = compensated!(3.0 * v1_scan * (24.0 * delta + t_in * t_in) * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)));
     StepLimited {
-        t_ovr_hd: 2.0
-            * cancelling
-            / (product * (product * root + t_in * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)))),
-        dt_ovr_hd_dt_in: -polynomial2 / (product * (polynomial3 * root + polynomial4)),
+        t_ovr_hd: 2.0 * cancelling / (polynomial2 * root + polynomial3),
+        dt_ovr_hd_dt_in: -polynomial4 / (polynomial5 * root + polynomial6),
     }
 }
 
@@ -129,7 +130,7 @@ pub fn step_limited(
 ///
 /// # Error
 ///
-/// - at most 8.51 ulp, barring overflow and underflow
+/// - at most 6.51 ulp, barring overflow and underflow
 ///
 /// From: double optimisation %o212.
 #[kernel(
@@ -137,8 +138,8 @@ pub fn step_limited(
     maxima = "tEdge_ax2ax1(tIn,delta,v1Scan,v1Diff,a1Max):=(sqrt(tIn^2+24*delta)-3*tIn)/2-4*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn)",
     latex = "t_{\\mathrm{Edge},\\mathrm{ax},2,\\mathrm{ax},1} = \\frac{\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}-3\\,t_{\\mathrm{In}}}{2}-\\frac{4\\,t_{\\mathrm{In}}\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)}{2\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}}",
     source = "double optimisation %o212",
-    rules("compensated", "conjugate", "factored", "gathered"),
-    bound = 8.51,
+    rules("compensated", "conjugate", "distributed", "factored", "gathered"),
+    bound = 6.51,
     result(worksheet = "tEdge_ax2ax1", unit = "s"),
 )]
 pub fn t_edge(
@@ -161,14 +162,14 @@ pub fn t_edge(
         + 12.0 * delta * v1_diff * v1_diff
     );
     // gathered
-    let polynomial = compensated!(t_in * a1_max + 2.0 * v1_diff);
+    let polynomial = compensated!(24.0 * delta + t_in * t_in);
+    let root = sqrt(polynomial);
     // gathered
-    let polynomial2 = compensated!(24.0 * delta + t_in * t_in);
-    let root = sqrt(polynomial2);
+    let polynomial2 = compensated!((t_in * a1_max + 2.0 * v1_diff) * (t_in * a1_max + 2.0 * v1_diff));
     // gathered
-    let polynomial3 = compensated!(t_in * (3.0 * t_in * a1_max + 2.0 * (4.0 * v1_scan - v1_diff)));
+    let polynomial3 = compensated!(t_in * (t_in * a1_max + 2.0 * v1_diff) * (3.0 * t_in * a1_max + 2.0 * (4.0 * v1_scan - v1_diff)));
     // factored, conjugate
-    4.0 * cancelling / (polynomial * (polynomial * root + polynomial3))
+    4.0 * cancelling / (polynomial2 * root + polynomial3)
 }
 
 /// What the scan axis has to lose in a ramp in of the time tIn so that it does not rest for the step axis.

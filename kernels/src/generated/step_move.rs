@@ -114,9 +114,9 @@ pub struct QuarterMove {
 /// # Error
 ///
 /// - `v3`: at most 1.51 ulp, barring overflow and underflow
-/// - `v0`: at most 7.51 ulp, barring overflow and underflow
-/// - `a0`: at most 8.51 ulp, barring overflow and underflow
-/// - `x1`: at most 7.51 ulp, barring overflow and underflow
+/// - `v0`: at most 6.51 ulp, barring overflow and underflow
+/// - `a0`: at most 6.51 ulp, barring overflow and underflow
+/// - `x1`: at most 6.51 ulp, barring overflow and underflow
 /// - `t4`: at most 2.51 ulp, barring overflow and underflow
 ///
 /// From: 4.1.1 %o141.
@@ -125,8 +125,8 @@ pub struct QuarterMove {
     maxima = "a4V1_v3(x4,a3,t1):=sqrt(6)*sqrt(-a3*x4)/4\na4V1_v0(x4,a3,t1):=-(sqrt(6)*t1*sqrt(-a3*x4)-6*x4)/(20*t1)\na4V1_a0(x4,a3,t1):=-(3*sqrt(6)*t1*sqrt(-a3*x4)-3*x4-5*a3*t1^2)/(5*t1^2)\na4V1_x1(x4,a3,t1):=-(9*sqrt(6)*t1*sqrt(-a3*x4)-39*x4-10*a3*t1^2)/60\na4V1_t4(x4,a3,t1):=sqrt(6)*x4/(2*sqrt(-a3*x4))",
     latex = "a_{4,V,1,v,3} = \\frac{\\sqrt{6}\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}}{4} \\\\ a_{4,V,1,v,0} = \\frac{-\\left(\\sqrt{6}\\,t_{1}\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}-6\\,x_{4}\\right)}{20\\,t_{1}} \\\\ a_{4,V,1,a,0} = \\frac{-\\left(3\\,\\sqrt{6}\\,t_{1}\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}-3\\,x_{4}-5\\,a_{3}\\,t_{1}^{2}\\right)}{5\\,t_{1}^{2}} \\\\ a_{4,V,1,x,1} = \\frac{-\\left(9\\,\\sqrt{6}\\,t_{1}\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}-39\\,x_{4}-10\\,a_{3}\\,t_{1}^{2}\\right)}{60} \\\\ a_{4,V,1,t,4} = \\frac{\\sqrt{6}\\,x_{4}}{2\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}}",
     source = "4.1.1 %o141",
-    rules("compensated", "conjugate", "factored", "gathered", "merge-roots"),
-    bound(v3 = 1.51, v0 = 7.51, a0 = 8.51, x1 = 7.51, t4 = 2.51),
+    rules("compensated", "conjugate", "distributed", "factored", "gathered", "merge-roots"),
+    bound(v3 = 1.51, v0 = 6.51, a0 = 6.51, x1 = 6.51, t4 = 2.51),
     results(
         v3(worksheet = "a4V1_v3", unit = "m/s"),
         v0(worksheet = "a4V1_v0", unit = "m/s"),
@@ -146,13 +146,9 @@ pub fn quarter_move(
     require!(compensated!(3.0 * x4 + 5.0 * a3 * t1 * t1) > 0.0, "3*x4+5*a3*t1^2 > 0");
     require!(compensated!((3.0 * x4 + 5.0 * a3 * (t1 * t1)) * (3.0 * x4 + 5.0 * a3 * (t1 * t1)) + 54.0 * a3 * x4 * (t1 * t1)) > 0.0, "(3*x4+5*a3*t1^2)^2+54*a3*x4*t1^2 > 0");
     // compensated
-    let cancelling = compensated!(3.0 * x4 + 5.0 * a3 * t1 * t1);
+    let cancelling = compensated!(a3 * t1 * t1 * (84.0 * x4 + 25.0 * a3 * t1 * t1) + 9.0 * x4 * x4);
     // compensated
-    let cancelling2 = compensated!(a3 * t1 * t1 * (84.0 * x4 + 25.0 * a3 * t1 * t1) + 9.0 * x4 * x4);
-    // compensated
-    let cancelling3 = compensated!(39.0 * x4 + 10.0 * a3 * t1 * t1);
-    // compensated
-    let cancelling4 = compensated!(2.0 * a3 * t1 * t1 * (633.0 * x4 + 50.0 * a3 * t1 * t1) + 1521.0 * x4 * x4);
+    let cancelling2 = compensated!(2.0 * a3 * t1 * t1 * (633.0 * x4 + 50.0 * a3 * t1 * t1) + 1521.0 * x4 * x4);
     // gathered
     let polynomial = compensated!(6.0 * x4 * a3);
     // merge-roots
@@ -160,12 +156,20 @@ pub fn quarter_move(
     // gathered
     let polynomial2 = compensated!(3.0 * x4 * (6.0 * x4 + a3 * t1 * t1));
     // gathered
-    let polynomial3 = compensated!(5.0 * t1 * t1);
+    let polynomial3 = compensated!(10.0 * t1 * t1);
+    // gathered
+    let polynomial4 = compensated!(60.0 * x4 * t1);
+    // gathered
+    let polynomial5 = compensated!(15.0 * t1 * t1 * t1);
+    // gathered
+    let polynomial6 = compensated!(5.0 * t1 * t1 * (3.0 * x4 + 5.0 * a3 * t1 * t1));
+    // gathered
+    let polynomial7 = compensated!(60.0 * (39.0 * x4 + 10.0 * a3 * t1 * t1));
     QuarterMove {
         v3: 0.25 * root,
-        v0: polynomial2 / (10.0 * t1 * (t1 * root + 6.0 * x4)),
-        a0: cancelling2 / (polynomial3 * (3.0 * t1 * root + cancelling)),
-        x1: cancelling4 / (60.0 * (9.0 * t1 * root + cancelling3)),
+        v0: polynomial2 / (polynomial3 * root + polynomial4),
+        a0: cancelling / (polynomial5 * root + polynomial6),
+        x1: cancelling2 / (540.0 * t1 * root + polynomial7),
         t4: -0.5 * root / a3,
     }
 }
@@ -221,9 +225,9 @@ pub struct ContinuousMove {
 /// - `kv0`: at most 4.51 ulp, barring overflow and underflow
 /// - `kv3`: at most 5.51 ulp, barring overflow and underflow
 /// - `kt4`: at most 5.51 ulp, barring overflow and underflow
-/// - `ka0`: at most 12.01 ulp, barring overflow and underflow
-/// - `ka3`: at most 7.51 ulp, barring overflow and underflow
-/// - `kx1`: at most 13.01 ulp, barring overflow and underflow
+/// - `ka0`: at most 6.51 ulp, barring overflow and underflow
+/// - `ka3`: at most 6.51 ulp, barring overflow and underflow
+/// - `kx1`: at most 6.51 ulp, barring overflow and underflow
 ///
 /// From: 4.3 a4VO2[2] (not shown).
 #[kernel(
@@ -231,8 +235,8 @@ pub struct ContinuousMove {
     maxima = "a4VO2_kv0(Ki,Ko):=-(3*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+6*Ki*Ko+15*Ki^2-30*Ki)/(2*Ko+50*Ki)\na4VO2_kv3(Ki,Ko):=(15*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)-3*Ko^2+(6-48*Ki)*Ko)/(2*Ko+50*Ki)\na4VO2_kt4(Ki,Ko):=-(5*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+Ko^2+(16*Ki-2)*Ko)/(Ko^2+(7*Ki-4)*Ko+6*Ki^2-14*Ki+4)\na4VO2_ka0(Ki,Ko):=((12*Ko+30*Ki-60)*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+(21*Ki+6)*Ko^2+(42*Ki^2-78*Ki-12)*Ko+75*Ki^3-300*Ki^2+300*Ki)/(Ko^2+50*Ki*Ko+625*Ki^2)\na4VO2_ka3(Ki,Ko):=-((30*Ko+480*Ki-60)*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)-3*Ko^3+(12-96*Ki)*Ko^2+(-993*Ki^2+42*Ki-12)*Ko+450*Ki^3-1050*Ki^2+300*Ki)/(Ko^2+50*Ki*Ko+625*Ki^2)\na4VO2_kx1(Ki,Ko):=((Ko-65*Ki-20)*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+(2*Ki+2)*Ko^2+(-101*Ki^2+4*Ki-4)*Ko+275*Ki^3+650*Ki^2+100*Ki)/(2*Ko^2+100*Ki*Ko+1250*Ki^2)",
     latex = "a_{4,\\mathrm{VO},2,\\mathrm{kv},0} = \\frac{-\\left(3\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}+6\\,\\mathrm{Ki}\\,\\mathrm{Ko}+15\\,\\mathrm{Ki}^{2}-30\\,\\mathrm{Ki}\\right)}{2\\,\\mathrm{Ko}+50\\,\\mathrm{Ki}} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{kv},3} = \\frac{15\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}-3\\,\\mathrm{Ko}^{2}+\\left(6-48\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}{2\\,\\mathrm{Ko}+50\\,\\mathrm{Ki}} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{kt},4} = \\frac{-\\left(5\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}+\\mathrm{Ko}^{2}+\\left(16\\,\\mathrm{Ki}-2\\right)\\,\\mathrm{Ko}\\right)}{\\mathrm{Ko}^{2}+\\left(7\\,\\mathrm{Ki}-4\\right)\\,\\mathrm{Ko}+6\\,\\mathrm{Ki}^{2}-14\\,\\mathrm{Ki}+4} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{ka},0} = \\frac{\\left(12\\,\\mathrm{Ko}+30\\,\\mathrm{Ki}-60\\right)\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}+\\left(21\\,\\mathrm{Ki}+6\\right)\\,\\mathrm{Ko}^{2}+\\left(42\\,\\mathrm{Ki}^{2}-78\\,\\mathrm{Ki}-12\\right)\\,\\mathrm{Ko}+75\\,\\mathrm{Ki}^{3}-300\\,\\mathrm{Ki}^{2}+300\\,\\mathrm{Ki}}{\\mathrm{Ko}^{2}+50\\,\\mathrm{Ki}\\,\\mathrm{Ko}+625\\,\\mathrm{Ki}^{2}} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{ka},3} = \\frac{-\\left(\\left(30\\,\\mathrm{Ko}+480\\,\\mathrm{Ki}-60\\right)\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}-3\\,\\mathrm{Ko}^{3}+\\left(12-96\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-993\\right)\\,\\mathrm{Ki}^{2}+42\\,\\mathrm{Ki}-12\\right)\\,\\mathrm{Ko}+450\\,\\mathrm{Ki}^{3}-1050\\,\\mathrm{Ki}^{2}+300\\,\\mathrm{Ki}\\right)}{\\mathrm{Ko}^{2}+50\\,\\mathrm{Ki}\\,\\mathrm{Ko}+625\\,\\mathrm{Ki}^{2}} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{kx},1} = \\frac{\\left(\\mathrm{Ko}-65\\,\\mathrm{Ki}-20\\right)\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}+\\left(2\\,\\mathrm{Ki}+2\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-101\\right)\\,\\mathrm{Ki}^{2}+4\\,\\mathrm{Ki}-4\\right)\\,\\mathrm{Ko}+275\\,\\mathrm{Ki}^{3}+650\\,\\mathrm{Ki}^{2}+100\\,\\mathrm{Ki}}{2\\,\\mathrm{Ko}^{2}+100\\,\\mathrm{Ki}\\,\\mathrm{Ko}+1250\\,\\mathrm{Ki}^{2}}",
     source = "4.3 a4VO2[2] (not shown)",
-    rules("compensated", "conjugate", "factored", "gathered", "sign-branch", "through-result"),
-    bound(kv0 = 4.51, kv3 = 5.51, kt4 = 5.51, ka0 = 12.01, ka3 = 7.51, kx1 = 13.01),
+    rules("compensated", "conjugate", "distributed", "factored", "gathered", "sign-branch"),
+    bound(kv0 = 4.51, kv3 = 5.51, kt4 = 5.51, ka0 = 6.51, ka3 = 6.51, kx1 = 6.51),
     results(
         kv0(worksheet = "a4VO2_kv0", unit = "1"),
         kv3(worksheet = "a4VO2_kv3", unit = "1"),
@@ -251,12 +255,9 @@ pub fn continuous_move(
     require!(compensated!(2.0 - ko - ki) > 0.0, "Ki+Ko < 2");
     require!(compensated!(6.0 * ki + (ko - 2.0)) > 0.0, "Ko+6*Ki > 2");
     // compensated
-    let cancelling = compensated!(16.0 * ki + (ko - 2.0));
+    let cancelling = compensated!(2.0 * (5.0 - ko) - 5.0 * ki);
     // compensated
-    let cancelling2 = compensated!(
-        ki * (ki * (331.0 * ko + 350.0 - 150.0 * ki) + 2.0 * (ko - 2.0) * (16.0 * ko + 25.0))
-        + ko * (2.0 - ko) * (2.0 - ko)
-    );
+    let cancelling2 = compensated!(16.0 * ki + (ko - 2.0));
     // gathered
     let polynomial = compensated!(1.5 * ki * (2.0 - ki) * (2.0 - ko - ki));
     // gathered
@@ -264,33 +265,73 @@ pub fn continuous_move(
     let root = sqrt(polynomial2);
     // gathered
     let polynomial3 = compensated!(ki * (2.0 * (5.0 - ko) - 5.0 * ki));
-    // factored, conjugate
-    let quotient = polynomial / (root + polynomial3);
+    // compensated
+    let cancelling3 = compensated!(ki * (ko * (14.0 * ki + (7.0 * ko - 26.0)) + 25.0 * (2.0 - ki) * (2.0 - ki)) + 2.0 * ko * (ko - 2.0));
     // gathered
-    let polynomial4 = compensated!(1.5 * ko * (2.0 - ko - ki) * (6.0 * ki + (ko - 2.0)));
-    let sum = 5.0 * root + ko * cancelling;
+    let polynomial4 = compensated!(6.0 * (2.0 * (5.0 - ko) - 5.0 * ki));
     // gathered
-    let polynomial5 = compensated!((6.0 * ki + (ko - 2.0)) * (2.0 - ko - ki));
-    let product = 4.0 * quotient * quotient;
+    let polynomial5 = compensated!(
+        3.0
+        * (ki * (ko * (14.0 * ki + (7.0 * ko - 26.0)) + 25.0 * (2.0 - ki) * (2.0 - ki)) + 2.0 * ko * (ko - 2.0))
+    );
     // gathered
-    let polynomial6 = compensated!(10.0 * (16.0 * ki + (ko - 2.0)));
+    let polynomial6 = compensated!((25.0 * ki + ko) * (25.0 * ki + ko));
+    // gathered
+    let polynomial7 = compensated!(3.0 * (2.0 - ki) * (2.0 - ki) * (2.0 - ko - ki) * (2.0 - ko - ki));
+    // compensated
+    let cancelling4 = compensated!(
+        ki * (ki * (331.0 * ko + 350.0 - 150.0 * ki) + 2.0 * (ko - 2.0) * (16.0 * ko + 25.0))
+        + ko * (2.0 - ko) * (2.0 - ko)
+    );
+    // compensated
+    let cancelling5 = compensated!(
+        ki * (ki * (275.0 * ki + (650.0 - 101.0 * ko)) + 2.0 * (ko * (ko + 2.0) + 50.0))
+        + 2.0 * ko * (ko - 2.0)
+    );
+    // compensated
+    let cancelling6 = compensated!(
+        ko * (ko * (ki * (ki + 6.0) + 4.0) - 2.0 * (ki * (ki * (29.0 * ki + 161.0) + 58.0) + 8.0))
+        + (ki * (11.0 * ki + 26.0) + 4.0) * (ki * (11.0 * ki + 26.0) + 4.0)
+    );
+    // gathered
+    let polynomial8 = compensated!(65.0 * ki + (20.0 - ko));
     // factored
-    let product2 = root * polynomial6;
+    let product = root * polynomial8;
     // gathered
-    let polynomial7 = compensated!((25.0 * ki + ko) * (25.0 * ki + ko));
+    let polynomial9 = compensated!(1.5 * ko * (2.0 - ko - ki) * (6.0 * ki + (ko - 2.0)));
+    let sum = 5.0 * root + ko * cancelling2;
     // gathered
-    let polynomial8 = compensated!(3.0 * (2.0 - ko - ki) * (2.0 - ko - ki) * (6.0 * ki + (ko - 2.0)) * (6.0 * ki + (ko - 2.0)));
+    let polynomial10 = compensated!((6.0 * ki + (ko - 2.0)) * (2.0 - ko - ki));
+    // gathered
+    let polynomial11 = compensated!(10.0 * (16.0 * ki + (ko - 2.0)));
+    // gathered
+    let polynomial12 = compensated!(
+        3.0
+        * (ki * (ki * (331.0 * ko + 350.0 - 150.0 * ki) + 2.0 * (ko - 2.0) * (16.0 * ko + 25.0)) + ko * (2.0 - ko) * (2.0 - ko))
+    );
+    // gathered
+    let polynomial13 = compensated!(30.0 * (16.0 * ki + (ko - 2.0)));
+    // gathered
+    let polynomial14 = compensated!(3.0 * (2.0 - ko - ki) * (2.0 - ko - ki) * (6.0 * ki + (ko - 2.0)) * (6.0 * ki + (ko - 2.0)));
     ContinuousMove {
-        kv0: quotient,
-        kv3: polynomial4 / sum,
-        kt4: sum / polynomial5,
-        ka0: product / (3.0 * ki),
-        ka3: if cancelling2 <= 0.0 {
-            3.0 * (cancelling2 - product2) / polynomial7
+        kv0: polynomial / (root + polynomial3),
+        kv3: polynomial9 / sum,
+        kt4: sum / polynomial10,
+        ka0: if cancelling3 <= 0.0 {
+            (polynomial5 - root * polynomial4) / polynomial6
         } else {
-            polynomial8 / (product2 + cancelling2)
+            polynomial7 / (2.0 * cancelling * root + cancelling3)
         },
-        kx1: (9.0 * ki * (2.0 * quotient + ki) + product) / (18.0 * ki),
+        ka3: if cancelling4 <= 0.0 {
+            (polynomial12 - polynomial13 * root) / polynomial6
+        } else {
+            polynomial14 / (root * polynomial11 + cancelling4)
+        },
+        kx1: if cancelling5 <= 0.0 {
+            0.5 * (cancelling5 - product) / polynomial6
+        } else {
+            0.5 * cancelling6 / (product + cancelling5)
+        },
     }
 }
 

@@ -1,8 +1,8 @@
 //! Rule `gathered`: a polynomial of the inputs that takes several roundings becomes one slice.
 
-use super::Rule;
+use super::{Rule, distributed};
 use crate::field::Sign;
-use crate::program::{Condition, Graph, Node, Op, Wide};
+use crate::program::{Condition, Graph, Node, Op, Wide, is_exact};
 use crate::stable::builder::Builder;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -17,7 +17,7 @@ pub const RULE: Rule = Rule {
 };
 
 /// A bound that is small enough, in units of 2^-53.
-const ENOUGH: f64 = 4.5;
+pub const ENOUGH: f64 = 4.5;
 
 /// The most terms of a slice, multiplied out, and the most factors of one.
 const LARGEST: (usize, usize) = (2_000, 16);
@@ -30,6 +30,12 @@ pub fn apply(builder: &mut Builder, results: &[Node], few_roundings: bool) -> Ve
     }
     let mut known = HashMap::new();
     results.iter().map(|&result| gathered(builder, result, &mut known)).collect()
+}
+
+/// The error of a result, in units of 2^-53, once it is gathered.
+pub fn error(builder: &mut Builder, result: Node) -> f64 {
+    let gathered = gathered(builder, result, &mut HashMap::new());
+    builder.graph.error(gathered)
 }
 
 fn gathered(builder: &mut Builder, node: Node, known: &mut HashMap<Node, Node>) -> Node {
@@ -56,26 +62,36 @@ fn slice(graph: &Graph, node: Node) -> Option<Wide> {
     graph.polynomial(node).filter(|wide| worth && fits(wide))
 }
 
-/// A slice of a product without its sign, and the product: the factors stand in one order, so that equal slices, and those
-/// of other signs, are one step.
+/// A slice of a product without its sign, and the product: one literal and then the other factors in one order, so that
+/// equal slices, and those of other signs, are one step. A product of two takes one rounding anyway.
 pub fn in_order(graph: &mut Graph, wide: Wide, sign: Sign) -> (Node, Node) {
     let (mut negative, mut factors) = (false, Vec::new());
     split(wide, &mut negative, &mut factors);
-    for factor in &mut factors {
-        let literal = if let Wide::Leaf(leaf) = factor { graph.literal(*leaf).cloned() } else { None };
-        if let Some(value) = literal.filter(Signed::is_negative) {
-            negative = !negative;
-            *factor = Wide::Leaf(graph.constant(&-value));
-        }
+    let literal = |factor: &Wide| if let Wide::Leaf(leaf) = factor { graph.literal(*leaf).cloned() } else { None };
+    let (literals, mut rest): (Vec<Wide>, Vec<Wide>) =
+        factors.into_iter().partition(|factor| literal(factor).is_some());
+    let mut constants: Vec<BigRational> = literals.iter().filter_map(literal).collect();
+    negative ^= constants.iter().filter(|constant| constant.is_negative()).count() % 2 == 1;
+    constants.iter_mut().for_each(|constant| *constant = constant.abs());
+    let folded: BigRational = constants.iter().product();
+    if is_exact(&folded) {
+        constants = if folded.is_one() && !rest.is_empty() { Vec::new() } else { vec![folded] };
     }
-    factors.sort_by_key(|factor| match factor {
-        Wide::Leaf(leaf) => (graph.literal(*leaf).is_none(), leaf.0),
-        _ => (true, usize::MAX),
-    });
-    let product = factors.into_iter().reduce(|a, b| Wide::Mul(a.into(), b.into()));
+    rest.sort_by_key(|factor| if let Wide::Leaf(leaf) = factor { leaf.0 } else { usize::MAX });
+    let leading: Vec<Wide> = constants.iter().map(|constant| Wide::Leaf(graph.constant(constant))).collect();
+    let product = leading.into_iter().chain(rest).reduce(|a, b| Wide::Mul(a.into(), b.into()));
     let product = product.unwrap_or_else(|| Wide::Leaf(graph.constant(&BigRational::one())));
-    let slice = graph.compensated(product, if negative { -sign } else { sign });
+    let slice = match two_leaves(&product) {
+        Some((a, b)) => graph.mul(a, b),
+        None => graph.compensated(product, if negative { -sign } else { sign }),
+    };
     (slice, if negative { graph.neg(slice) } else { slice })
+}
+
+fn two_leaves(wide: &Wide) -> Option<(Node, Node)> {
+    let Wide::Mul(a, b) = wide else { return None };
+    let (Wide::Leaf(a), Wide::Leaf(b)) = (&**a, &**b) else { return None };
+    Some((*a, *b))
 }
 
 /// The factors of a product, without their signs.
@@ -112,7 +128,7 @@ fn in_parts(builder: &mut Builder, node: Node, known: &mut HashMap<Node, Node>) 
         }
         Op::Mul(a, b) => {
             let (a, b) = (gathered(builder, a, known), gathered(builder, b, known));
-            builder.graph.mul(a, b)
+            distributed::apply(builder, a, b).unwrap_or_else(|| builder.graph.mul(a, b))
         }
         Op::Div(a, b) => {
             let (a, b) = (gathered(builder, a, known), gathered(builder, b, known));

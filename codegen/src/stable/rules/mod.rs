@@ -3,6 +3,7 @@
 pub mod compensated;
 pub mod conjugate;
 pub mod differences_first;
+pub mod distributed;
 pub mod factored;
 pub mod falling_newton;
 pub mod gathered;
@@ -25,10 +26,11 @@ pub struct Rule {
 }
 
 /// Every rule, in alphabetical order.
-pub const ALL: [&Rule; 12] = [
+pub const ALL: [&Rule; 13] = [
     &compensated::RULE,
     &conjugate::RULE,
     &differences_first::RULE,
+    &distributed::RULE,
     &factored::RULE,
     &falling_newton::RULE,
     &gathered::RULE,

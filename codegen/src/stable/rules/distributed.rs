@@ -1,0 +1,66 @@
+//! Rule `distributed`: a factor goes into a sum whose terms take it without a rounding of their own.
+
+use super::{Rule, gathered};
+use crate::program::{Graph, Node, Op, Wide};
+use crate::stable::builder::Builder;
+
+/// The rule.
+pub const RULE: Rule = Rule {
+    name: "distributed",
+    statement: "p*(q*r + s) = (p*q)*r + p*s, where p*q and p*s are gathered",
+    condition: "p, q and s are polynomials of the inputs, p has one sign, the sum does not cancel, and it saves roundings",
+};
+
+/// The product of two steps with one of them in the sum that the other one is, if that has fewer roundings.
+pub fn apply(builder: &mut Builder, a: Node, b: Node) -> Option<Node> {
+    let product = builder.graph.mul(a, b);
+    let found = [(a, b), (b, a)].into_iter().find_map(|(factor, sum)| inside(&mut builder.graph, factor, sum));
+    let found = found.filter(|found| found.error < builder.graph.error(product))?;
+    let node = builder.graph.with_error(found.node, builder.graph.sign(product), found.error);
+    for slice in found.slices {
+        if matches!(builder.graph.op(slice), Op::Compensated(_)) {
+            builder.apply(&gathered::RULE, slice);
+        }
+    }
+    builder.apply(&RULE, node);
+    Some(node)
+}
+
+/// The sum with the factor in it.
+struct Inside {
+    node: Node,
+    error: f64,
+    slices: [Node; 2],
+}
+
+fn inside(graph: &mut Graph, factor: Node, sum: Node) -> Option<Inside> {
+    let (Op::Add(x, y) | Op::Sub(x, y)) = *graph.op(sum) else { return None };
+    if !graph.error(sum).is_finite() || !graph.sign(factor).is_definite() {
+        return None;
+    }
+    let ((one, left), (other, right)) = (times(graph, factor, x)?, times(graph, factor, y)?);
+    let node = if matches!(graph.op(sum), Op::Add(..)) { graph.add(left, right) } else { graph.sub(left, right) };
+    Some(Inside { node, error: graph.error(left).max(graph.error(right)) + 1.0, slices: [one, other] })
+}
+
+/// What takes the factor, a polynomial in the term, and the term with it.
+fn times(graph: &mut Graph, factor: Node, term: Node) -> Option<(Node, Node)> {
+    if let Some(product) = gathered_product(graph, factor, term) {
+        return Some(product);
+    }
+    match *graph.op(term) {
+        Op::Mul(u, v) => {
+            let (taking, rest) = if graph.polynomial(u).is_some() { (u, v) } else { (v, u) };
+            let (slice, product) = gathered_product(graph, factor, taking)?;
+            Some((slice, graph.mul(product, rest)))
+        }
+        Op::Sqrt(_) => Some((factor, graph.mul(factor, term))),
+        _ => None,
+    }
+}
+
+fn gathered_product(graph: &mut Graph, a: Node, b: Node) -> Option<(Node, Node)> {
+    let wide = Wide::Mul(graph.polynomial(a)?.into(), graph.polynomial(b)?.into());
+    let sign = graph.sign(a) * graph.sign(b);
+    gathered::fits(&wide).then(|| gathered::in_order(graph, wide, sign))
+}
