@@ -3,6 +3,7 @@
 pub mod builder;
 pub mod nest;
 pub mod rules;
+mod slices;
 
 use crate::field::{Element, TowerError};
 use crate::program::Node;

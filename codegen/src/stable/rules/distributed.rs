@@ -3,6 +3,7 @@
 use super::{Rule, gathered};
 use crate::program::{Graph, Node, Op, Wide};
 use crate::stable::builder::Builder;
+use crate::stable::slices::{fits, in_order};
 
 /// The rule.
 pub const RULE: Rule = Rule {
@@ -62,5 +63,5 @@ fn times(graph: &mut Graph, factor: Node, term: Node) -> Option<(Node, Node)> {
 fn gathered_product(graph: &mut Graph, a: Node, b: Node) -> Option<(Node, Node)> {
     let wide = Wide::Mul(graph.polynomial(a)?.into(), graph.polynomial(b)?.into());
     let sign = graph.sign(a) * graph.sign(b);
-    gathered::fits(&wide).then(|| gathered::in_order(graph, wide, sign))
+    fits(&wide).then(|| in_order(graph, wide, sign))
 }

@@ -1,9 +1,10 @@
 //! Rule `one-reciprocal`: quotients whose denominators have factors in common share one division.
 
-use super::{Rule, gathered};
+use super::Rule;
 use crate::field::Sign;
 use crate::program::{Graph, Node, Op, Wide};
 use crate::stable::builder::Builder;
+use crate::stable::slices::{fits, in_order};
 use num_rational::BigRational;
 use num_traits::One;
 
@@ -33,12 +34,12 @@ pub fn apply(builder: &mut Builder, results: &[Node]) -> Vec<Node> {
     let mut shared = Factors::default();
     quotients.iter().flatten().for_each(|quotient| shared.take_largest(&quotient.denominator));
     shared.0.iter_mut().for_each(|(_, power)| *power = power.div_ceil(2));
-    let Some(whole) = shared.product().filter(gathered::fits) else { return results.to_vec() };
+    let Some(whole) = shared.product().filter(fits) else { return results.to_vec() };
     if quotients.iter().flatten().count() < 2 {
         return results.to_vec();
     }
     let one = builder.graph.constant(&BigRational::one());
-    let (_, whole) = gathered::in_order(&mut builder.graph, whole, Sign::ANY);
+    let (_, whole) = in_order(&mut builder.graph, whole, Sign::ANY);
     let reciprocal = builder.graph.div(one, whole);
     builder.apply(&RULE, reciprocal);
     let through = |(&result, quotient): (&Node, &Option<Quotient>)| {
@@ -63,15 +64,15 @@ impl Quotient {
             rest.0.push((factor.clone(), if needed > *power { 2 * power } else { *power } - needed));
         }
         let scaled = rest.product().into_iter().fold(self.numerator.clone(), |a, b| Wide::Mul(a.into(), b.into()));
-        if !std::iter::once(&scaled).chain(inverses.iter().flatten()).all(gathered::fits) {
+        if !std::iter::once(&scaled).chain(inverses.iter().flatten()).all(fits) {
             return None;
         }
-        let (_, scaled) = gathered::in_order(graph, scaled, Sign::ANY);
+        let (_, scaled) = in_order(graph, scaled, Sign::ANY);
         let mut value = graph.mul(scaled, reciprocal);
         for others in inverses {
             let inverse = match others {
                 Some(others) => {
-                    let (_, others) = gathered::in_order(graph, others, Sign::ANY);
+                    let (_, others) = in_order(graph, others, Sign::ANY);
                     graph.mul(others, reciprocal)
                 }
                 None => reciprocal,
