@@ -18,7 +18,7 @@ const WIDE: f64 = 100.0;
 const OCTAVES: f64 = 20.0;
 
 /// Candidates that are tried before a maker gives up.
-const TRIES: usize = 10_000;
+const TRIES: usize = 1_000_000;
 
 /// A way to choose points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
