@@ -108,6 +108,11 @@ fn report(made: &[Made], catalogue: &Catalogue, rows: &[ledger::Row]) -> miette:
         ]);
     }
     output::print(&format!("{table}\n"))?;
+    hold(rows)
+}
+
+/// Every measured error is within its bound.
+fn hold(rows: &[ledger::Row]) -> miette::Result<()> {
     let wrong: Vec<&ledger::Row> = rows.iter().filter(|row| row.worst > row.bound).collect();
     let [first, ..] = wrong.as_slice() else { return Ok(()) };
     bail!(
@@ -121,4 +126,21 @@ fn report(made: &[Made], catalogue: &Catalogue, rows: &[ledger::Row]) -> miette:
         first.worst_ulp,
         first.worst_inputs
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::fixture;
+    use crate::drawn::{drawn, has};
+
+    #[test]
+    fn an_error_beyond_its_bound_is_refused() {
+        let (folder, catalogue) = fixture::catalogue();
+        let rows = ledger::rows(folder.path(), &catalogue, 50).unwrap();
+        let error = hold(&rows).unwrap_err();
+        has(&drawn(error.as_ref()), &["1 result exceeds its bound", "`slope` of `line::slope`", "closedform verify"]);
+        let right: Vec<ledger::Row> = rows.into_iter().filter(|row| row.kernel != "line::slope").collect();
+        assert!(hold(&right).is_ok());
+    }
 }

@@ -29,7 +29,7 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// Seconds for a kernel.
+    /// Seconds for most kernels, minutes for those of many branches.
     pub const USUAL: Effort = Effort {
         points: 100,
         attack: Attack { edges: 1000, double_zeros: 20_000, climbs: 8, steps: 2000 },

@@ -6,7 +6,7 @@ use super::zeros::Probe;
 use crate::catalogue::Entry;
 use crate::worksheet::contract::Input;
 use crate::worksheet::domain::Domain;
-use crate::worksheet::sample::{EmptyDomain, Random, rank, sample, unrank};
+use crate::worksheet::sample::{EmptyDomain, Random, bisect, sample};
 
 /// Inputs other than zero stay within 2^-LIMIT to 2^LIMIT, lest a product over- or underflows.
 const LIMIT: i32 = 128;
@@ -229,16 +229,7 @@ impl Maker {
             point[input] = value;
             point
         };
-        let (mut near, mut far) = (rank(base[input]), rank(other));
-        let side = decides(&at(unrank(near)));
-        if decides(&at(other)) == side {
-            return None;
-        }
-        while near.abs_diff(far) > 1 {
-            let middle = near.midpoint(far);
-            *(if decides(&at(unrank(middle))) == side { &mut near } else { &mut far }) = middle;
-        }
-        Some([near, far].map(|end| at(unrank(end))))
+        bisect(base[input], other, |value| Some(decides(&at(value)))).map(|ends| ends.map(at))
     }
 
     /// The point with one input, or two, moved by their bits or to another size.

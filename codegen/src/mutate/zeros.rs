@@ -6,7 +6,7 @@ use closedform_syntax::{BinaryOp, Condition, Expr, Kernel, Output, expression_te
 
 use super::place::Part;
 use crate::measure::results;
-use crate::worksheet::sample::{rank, unrank};
+use crate::worksheet::sample::{bisect, rank, unrank};
 
 /// The farthest that two inputs are moved in ulp to find a deep cancellation.
 const REACH: i64 = 12;
@@ -73,17 +73,7 @@ impl Probe {
     /// Two neighbouring values of an input, from its own to `other`, between which the sign changes.
     pub fn bisect(&self, point: &[f64], input: usize, other: f64) -> Option<[f64; 2]> {
         let positive = |value: f64| Some(self.moved(point, input, value)).filter(|v| !v.is_nan()).map(|v| v > 0.0);
-        let (mut near, mut far) = (rank(point[input]), rank(other));
-        let side = positive(point[input])?;
-        if positive(other)? == side {
-            return None;
-        }
-        while near.abs_diff(far) > 1 {
-            let middle = near.midpoint(far);
-            let end = if positive(unrank(middle))? == side { &mut near } else { &mut far };
-            *end = middle;
-        }
-        Some([unrank(near), unrank(far)])
+        bisect(point[input], other, positive)
     }
 
     /// The value of an input at which it vanishes, if it is linear in it and nothing was rounded.

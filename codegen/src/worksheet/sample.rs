@@ -1,5 +1,6 @@
 //! Points of a domain, chosen where arithmetic hurts: magnitudes of every size, edges, zeros, near-equal operands.
 
+mod bisect;
 mod edges;
 mod random;
 
@@ -8,7 +9,7 @@ use std::collections::HashSet;
 use miette::Diagnostic;
 use thiserror::Error;
 
-pub(crate) use edges::{rank, unrank};
+pub(crate) use bisect::{bisect, rank, unrank};
 pub use random::Random;
 
 use super::contract::Input;

@@ -96,6 +96,7 @@ fn a_stranger_needs_no_contract() {
     assert_eq!(names, ["t_value", "t", "fn_value"]);
     assert_eq!((inputs[0].unit.as_str(), inputs[0].typical), ("1", [1e-3, 1e3]));
     assert!(family.contract.kernels[0].domain.holds(&[-1.0, 0.0]));
+    assert!(family.contract.kernels.iter().all(|kernel| kernel.few_roundings), "digits before time");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use rug::Rational;
 
 use super::super::domain::{Comparison, Condition, Domain, exact};
+use super::bisect::bisect;
 
 /// The comparisons of a domain, and how each depends on single inputs.
 pub(super) struct Edges<'a> {
@@ -67,49 +68,15 @@ impl<'a> Edges<'a> {
     /// The last value, going from the point's own towards `other`, at which the comparison is as at the point.
     pub(super) fn bisect(&self, edge: usize, input: usize, point: &[f64], other: f64) -> Option<f64> {
         let mut moved = exact(point)?;
-        let mut holds = |value: f64| {
+        let holds = |value: f64| {
             moved[input] = Rational::from_f64(value)?;
             Some(self.comparisons[edge].holds(&moved))
         };
-        let (mut near, mut far) = (rank(point[input]), rank(other));
-        let inside = holds(point[input])?;
-        if holds(other)? == inside {
-            return None;
-        }
-        while near.abs_diff(far) > 1 {
-            let middle = near.midpoint(far);
-            let side = if holds(unrank(middle))? == inside { &mut near } else { &mut far };
-            *side = middle;
-        }
-        Some(unrank(near))
+        bisect(point[input], other, holds).map(|[near, _]| near)
     }
 }
 
 /// The inputs that one of the comparisons names.
 fn named(comparisons: &[&Comparison], inputs: usize) -> Vec<usize> {
     (0..inputs).filter(|input| comparisons.iter().any(|comparison| comparison.uses(*input))).collect()
-}
-
-/// The place of a float among all floats, in order.
-pub(crate) fn rank(value: f64) -> i64 {
-    let bits = value.to_bits() as i64;
-    if bits < 0 { i64::MIN - bits } else { bits }
-}
-
-/// The float at a place.
-pub(crate) fn unrank(rank: i64) -> f64 {
-    f64::from_bits(if rank < 0 { i64::MIN - rank } else { rank } as u64)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rank_orders_the_floats() {
-        for value in [0.0, 1.5, -1.5, f64::MAX, -f64::MIN_POSITIVE] {
-            assert_eq!(unrank(rank(value)), value);
-            assert_eq!(unrank(rank(value) + 1), value.next_up());
-        }
-    }
 }
