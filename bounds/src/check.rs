@@ -36,6 +36,7 @@ pub fn check(kernel: &Kernel) -> Result<Vec<ResultBound>, Vec<Refusal>> {
         let result = meta.name.to_string();
         let counts = cases.iter().map(|case| counter.count(value, case, &result));
         let worst = counts.reduce(|a, b| Ok(a?.max(b?))).unwrap_or_else(|| Ok(BigRational::zero()));
+        let worst = worst.map(|units| units + counter.last_rounding());
         let bound = worst.and_then(|units| held(&kernel.name.to_string(), result, units, meta.bound));
         match bound {
             Ok(bound) => bounds.push(bound),
@@ -146,6 +147,21 @@ mod tests {
         for (body, expected) in counts {
             assert_eq!(bound(POSITIVE, body), Ok(expected), "{body}");
         }
+    }
+
+    #[test]
+    fn in_double_double_only_the_last_rounding_counts() {
+        let body = "sqrt(x) / (compensated!(x * y + z) * (x + y) + PI)";
+        let text = |precision: &str, bound: f64, body: &str| {
+            format!(
+                "#[kernel(precision = {precision:?}, bound = {bound})]\npub fn f(x: f64, y: f64, z: f64) -> f64 {{ {POSITIVE} {body} }}"
+            )
+        };
+        assert!(check_text(&text("double-double", 0.51, body)).is_ok());
+        assert!(check_text(&text("double-double", 0.5, body)).is_err(), "understated");
+        assert!(check_text(&text("double-double", 6.01, body)).is_err(), "overstated");
+        assert!(check_text(&text("double", 0.51, body)).is_err(), "another precision");
+        assert!(check_text(&text("double-double", 0.51, "x * y - z")).is_err(), "it may cancel");
     }
 
     #[test]

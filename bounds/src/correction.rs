@@ -48,7 +48,7 @@ pub fn of<'k>(counter: &Counter<'k>, expr: &'k Expr, case: &Case, step: &str) ->
     let parts = Parts::of(counter, expr)?;
     let proved = Proof { counter, parts, case, step }.proved();
     Some(proved.and_then(|cause| match cause {
-        None => Ok(integer(1) + left()),
+        None => Ok(counter.rounding() + left()),
         Some(cause) => counter.refuse(step, Reason::Correction { correction: text(expr), cause }),
     }))
 }

@@ -8,9 +8,9 @@ use crate::refusal::{Reason, Refusal};
 use crate::sign::Sign;
 use crate::text::text;
 use crate::trusted;
-use closedform_syntax::{BinaryOp, Condition, Expr, Kernel};
+use closedform_syntax::{BinaryOp, Condition, Expr, Kernel, Precision};
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{Signed, Zero};
 
 /// A count of roundings, or why there is none.
 pub type Count = Result<BigRational, Refusal>;
@@ -34,6 +34,29 @@ impl<'k> Counter<'k> {
     /// Nothing counted yet.
     pub fn new(kernel: &'k Kernel) -> Self {
         Self { kernel, forms: Forms::new(kernel) }
+    }
+
+    /// The count of a step whose operands are exact.
+    pub(crate) fn rounding(&self) -> BigRational {
+        match self.kernel.meta.precision {
+            Precision::Double => integer(1),
+            Precision::DoubleDouble => trusted::double_double_step(),
+        }
+    }
+
+    /// The count of what comes after the last step: of rounding to a double what is none.
+    pub(crate) fn last_rounding(&self) -> BigRational {
+        match self.kernel.meta.precision {
+            Precision::Double => BigRational::zero(),
+            Precision::DoubleDouble => integer(1),
+        }
+    }
+
+    fn slice(&self) -> BigRational {
+        match self.kernel.meta.precision {
+            Precision::Double => trusted::compensated(),
+            Precision::DoubleDouble => trusted::compensated_in_double_double(),
+        }
     }
 
     pub(crate) fn refuse<T>(&self, step: &str, reason: Reason) -> Result<T, Refusal> {
@@ -74,9 +97,9 @@ impl<'k> Counter<'k> {
         match expr {
             Expr::Literal { .. } => Ok(BigRational::zero()),
             Expr::Name(name) => self.count_name(name.slot, case),
-            Expr::Pi(_) => Ok(BigRational::one()),
+            Expr::Pi(_) => Ok(self.rounding()),
             Expr::Neg(inner) | Expr::Abs(inner) => self.count(inner, case, step),
-            Expr::Sqrt(inner) => Ok(self.count(inner, case, step)? / integer(2) + integer(1)),
+            Expr::Sqrt(inner) => Ok(self.count(inner, case, step)? / integer(2) + self.rounding()),
             Expr::Binary { op: BinaryOp::Add | BinaryOp::Sub, left, right } => {
                 match correction::of(self, expr, case, step) {
                     Some(count) => count,
@@ -121,12 +144,12 @@ impl<'k> Counter<'k> {
     fn count_sum(&self, sum: &'k Expr, (left, right): (&'k Expr, &'k Expr), case: &Case, step: &str) -> Count {
         let worst = self.count(left, case, step)?.max(self.count(right, case, step)?);
         if worst.is_zero() {
-            return Ok(integer(1));
+            return Ok(self.rounding());
         }
         let (a, b) = (self.sign(left, case), self.sign(right, case));
         let b_as_added = if matches!(sum, Expr::Binary { op: BinaryOp::Sub, .. }) { b.negated() } else { b };
         if a.plus(b_as_added).is_definite() || case.facts.borrow().are_contradictory() {
-            return Ok(worst + integer(1));
+            return Ok(worst + self.rounding());
         }
         self.refuse(step, Reason::may_cancel(text(sum), a, b_as_added))
     }
@@ -135,7 +158,7 @@ impl<'k> Counter<'k> {
         let sum = self.count(left, case, step)? + self.count(right, case, step)?;
         let scales = |factor| self.is_power_of_two(factor);
         let exact = scales(right) || op == BinaryOp::Mul && scales(left);
-        Ok(if exact { sum } else { sum + integer(1) })
+        Ok(if exact { sum } else { sum + self.rounding() })
     }
 
     fn is_power_of_two(&self, factor: &'k Expr) -> bool {
@@ -156,7 +179,7 @@ impl<'k> Counter<'k> {
                 return self.refuse(step, Reason::Rounded { slice: text(slice), operand: text(operand) });
             }
         }
-        Ok(trusted::compensated())
+        Ok(self.slice())
     }
 
     /// The sign of an expression: from the signs of its parts as they are written, or from its form.

@@ -21,6 +21,18 @@ pub fn double_double_operation() -> BigRational {
     thousandths(10_000)
 }
 
+/// The count of a step in double-double: its error is at most 15 units of 2^-106 and terms of higher order.
+#[must_use]
+pub fn double_double_step() -> BigRational {
+    BigRational::new(1.into(), 1_000_000.into())
+}
+
+/// The count of a `compensated!` slice of exact operands whose value stays in double-double.
+#[must_use]
+pub fn compensated_in_double_double() -> BigRational {
+    thousandths(1)
+}
+
 fn thousandths(value: i64) -> BigRational {
     BigRational::new(value.into(), 1000.into())
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use closedform_maxima::{Expr, evaluate_double};
-use closedform_syntax::operations_of;
+use closedform_syntax::{Operations, Precision, operations_of};
 use miette::{Diagnostic, IntoDiagnostic};
 use serde::Serialize;
 use thiserror::Error;
@@ -169,13 +169,14 @@ fn rows_of(entry: &Entry, kept: &KeptInputs, points: u32) -> Result<Vec<Row>, Le
 fn row(entry: &Entry, position: usize, formula: &Expr, measured: &Measured) -> Row {
     let result = &entry.kernel.meta.results[position];
     let count = operations_of(&entry.kernel, position);
+    let precision = entry.kernel.meta.precision;
     let inputs = entry.maxima_names().into_iter().zip(&measured.inputs);
     let inputs: Vec<String> = inputs.map(|(name, value)| format!("{name}={}", hexfloat::print(*value))).collect();
     Row {
         kernel: entry.full_name(),
         result: result.name.to_string(),
         rules: entry.kernel.meta.rules.join(" "),
-        roundings: count.add + count.mul + count.div + count.sqrt + count.slices + count.root,
+        roundings: roundings(&count, precision),
         divisions: count.div,
         roots: count.sqrt,
         wide: count.compensated,
@@ -183,11 +184,19 @@ fn row(entry: &Entry, position: usize, formula: &Expr, measured: &Measured) -> R
         worst_ulp: ulp_text(measured.worst),
         worst_inputs: inputs.join(" "),
         naive_ulp: measured.naive.map_or_else(String::new, ulp_text),
-        plain_cost: cost::plain(&count),
+        plain_cost: cost::plain(&count, precision),
         faithful_cost: cost::faithful(&count),
         naive_cost: cost::naive(formula),
         worst: measured.worst,
         bound: result.bound.unwrap_or(f64::INFINITY),
+    }
+}
+
+/// In double-double only the result is rounded.
+fn roundings(count: &Operations, precision: Precision) -> u32 {
+    match precision {
+        Precision::Double => count.add + count.mul + count.div + count.sqrt + count.slices + count.root,
+        Precision::DoubleDouble => 1,
     }
 }
 

@@ -4,7 +4,10 @@ mod promise;
 mod reference;
 mod ulp;
 
-use closedform_syntax::{Kernel, Violation, evaluate, violated};
+use std::cell::Cell;
+
+use closedform::__private::{Guarded, Soft};
+use closedform_syntax::{Arithmetic, Kernel, Precision, Violation, evaluate, violated};
 use rug::Float;
 
 pub use promise::covers;
@@ -53,10 +56,33 @@ pub struct Measurement {
 ///
 /// When the point has not as many coordinates as the kernel has inputs.
 pub fn results(kernel: &Kernel, point: &[f64]) -> Result<Vec<f64>, Violation> {
-    let arithmetic = Compiled(0.0);
-    match violated(kernel, &arithmetic, point) {
+    match kernel.meta.precision {
+        Precision::Double => run(kernel, &Compiled(0.0), point),
+        Precision::DoubleDouble => rounded_once(kernel, point),
+    }
+}
+
+/// The results in double-double, or where that leaves its range in integers, rounded once.
+fn rounded_once(kernel: &Kernel, point: &[f64]) -> Result<Vec<f64>, Violation> {
+    if let Some(input) = point.iter().position(|value| !value.is_finite()) {
+        return Err(Violation::NotFinite(input));
+    }
+    let left = Cell::new(false);
+    let numbers: Vec<Guarded> = point.iter().map(|value| Guarded::new(*value, &left)).collect();
+    let arithmetic = Compiled(Guarded::new(0.0, &left));
+    // both, as the compiled kernel: a step that leaves the range does so in either
+    let (results, violation) = (evaluate(kernel, &arithmetic, &numbers), violated(kernel, &arithmetic, &numbers));
+    if left.get() {
+        let numbers: Vec<Soft> = point.iter().map(|value| Soft::from_f64(*value)).collect();
+        return Ok(run(kernel, &Compiled(Soft::from_f64(0.0)), &numbers)?.into_iter().map(Soft::to_f64).collect());
+    }
+    violation.map_or_else(|| Ok(results.into_iter().map(Guarded::round).collect()), Err)
+}
+
+fn run<A: Arithmetic>(kernel: &Kernel, arithmetic: &A, point: &[A::Value]) -> Result<Vec<A::Value>, Violation> {
+    match violated(kernel, arithmetic, point) {
         Some(violation) => Err(violation),
-        None => Ok(evaluate(kernel, &arithmetic, point)),
+        None => Ok(evaluate(kernel, arithmetic, point)),
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod common;
 
+use closedform_codegen::catalogue::Catalogue;
 use common::{closedform, closedform_waiting, edit, fails, failure, project, repository, succeeds, turn};
 use std::collections::BTreeMap;
 use std::fs::{self, OpenOptions};
@@ -155,6 +156,10 @@ fn a_worksheet_of_ones_own_becomes_a_crate_that_passes_its_judges() {
     succeeds(&repository(), &arguments);
     let again = closedform(&repository(), &arguments);
     assert!(again.status.success(), "{}", String::from_utf8_lossy(&again.stderr));
+    for entry in Catalogue::open(&out).unwrap().entries() {
+        let bounds = entry.kernel.meta.results.iter().map(|result| result.bound.unwrap());
+        assert!(bounds.fold(0.0, f64::max) <= 2.0, "{}: digits come before time", entry.name);
+    }
     succeeds(&out, &["verify", "--points", "2000", "--seed", "2"]);
     let mut test = Command::new(env!("CARGO"));
     test.args(["test", "--quiet", "--offline"]).current_dir(&out);

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// The rules that save operations, or some last ulp: without them no formula loses its digits.
-const NO_RESCUE: [&str; 5] = ["distributed", "gathered", "known-sum", "merge-roots", "one-reciprocal"];
+const NO_RESCUE: [&str; 6] = ["distributed", "double-double", "gathered", "known-sum", "merge-roots", "one-reciprocal"];
 
 /// What the plain form must be off by, in ulp, for a rule to be worth its name.
 const LOST: f64 = 1000.0;

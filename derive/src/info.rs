@@ -1,6 +1,6 @@
 //! The constant `INFO`.
 
-use closedform_syntax::{Input, Kernel, ResultMeta, operations};
+use closedform_syntax::{Input, Kernel, Precision, ResultMeta, operations};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -17,6 +17,10 @@ pub fn info(kernel: &Kernel) -> TokenStream {
     let domain = kernel.requires.iter().map(|require| &require.text);
     let results = meta.results.iter().map(result);
     let rules = &meta.rules;
+    let precision = match meta.precision {
+        Precision::Double => quote!(Double),
+        Precision::DoubleDouble => quote!(DoubleDouble),
+    };
     let operations = operations_literal(kernel);
     quote! {
         ::closedform::Info {
@@ -30,6 +34,7 @@ pub fn info(kernel: &Kernel) -> TokenStream {
             domain: &[#(#domain),*],
             results: &[#(#results),*],
             rules: &[#(#rules),*],
+            precision: ::closedform::Precision::#precision,
             operations: #operations,
         }
     }

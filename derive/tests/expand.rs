@@ -63,6 +63,14 @@ source! {
         )
     }
 
+    /// Rounded once.
+    #[kernel(precision = "double-double", bound = 0.51)]
+    pub fn precise(a: f64, b: f64) -> f64 {
+        require!(compensated!(a * b - 1.0) != 0.0 && (a - b) * (a + b) > 0.0);
+        let root = sqrt(a * a + b * b);
+        a * root / compensated!(a * b - 1.0)
+    }
+
     /// Names that the expansion uses itself.
     #[kernel]
     pub fn inputs(inputs: f64, results: f64, slices: f64, context: f64, length: f64, value_0: f64, f32: f64) -> f64 {
@@ -216,6 +224,37 @@ fn the_program_runs_in_mpfr() {
     assert_eq!(root, precise(1.0));
     let [time] = t_in::evaluate(&[precise(0.1), precise(0.2), precise(0.3)]);
     assert!((time.0 - t_in(0.1, 0.2, 0.3)).abs() < 1e-15);
+}
+
+#[test]
+fn in_double_double_every_shape_is_rounded_once() {
+    let numbers = samples(1000);
+    let swapped: Vec<f64> = numbers.iter().rev().copied().collect();
+    let mut rows = vec![0.0; numbers.len()];
+    precise::batch(&numbers, &swapped, &mut rows).unwrap();
+    let mut inside = 0;
+    for ((&a, &b), &row) in numbers.iter().zip(&swapped).zip(&rows) {
+        let single = precise(a, b);
+        let (faithful, checked) = (precise::faithful(a, b), precise::checked(a, b).unwrap_or(f64::NAN));
+        assert!([row, faithful, checked].iter().all(|&other| same(single, other)), "{a:?} {b:?}");
+        let [exact] = precise::evaluate(&[Mpfr::new(2000, a), Mpfr::new(2000, b)]);
+        assert!(single.is_nan() || single == exact.0.to_f64(), "{a:?} {b:?}");
+        inside += usize::from(!single.is_nan());
+    }
+    assert!(inside > 100, "{inside}");
+}
+
+#[test]
+fn in_double_double_nothing_overflows_on_the_way() {
+    for (a, b) in [(2e200, 1e100), (3e-200, -1e-250), (3e200, 1e-210)] {
+        let [exact] = precise::evaluate(&[Mpfr::new(2000, a), Mpfr::new(2000, b)]);
+        assert_eq!(precise(a, b), exact.0.to_f64(), "{a:?} {b:?}");
+    }
+    assert_eq!(precise(3e200, 1e-210), f64::NEG_INFINITY, "the result does");
+    assert_eq!(precise::checked(1.0, 2.0).unwrap_err().condition(), precise::INFO.domain[0]);
+    assert_eq!(precise::checked(f64::NAN, 2.0).unwrap_err().condition(), "every input is finite");
+    assert_eq!(precise::INFO.precision, closedform::Precision::DoubleDouble);
+    assert_eq!(slices::INFO.precision, closedform::Precision::Double);
 }
 
 #[test]

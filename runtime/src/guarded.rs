@@ -26,13 +26,13 @@ const RANGE: (f64, f64) = (f64::from_bits((1023 - 450) << 52), f64::from_bits((1
 impl<'a> Guarded<'a> {
     /// Exact.
     #[inline(always)]
-    pub(crate) fn new(value: f64, left: &'a Cell<bool>) -> Self {
+    pub fn new(value: f64, left: &'a Cell<bool>) -> Self {
         Guarded { value: value.into(), left }.in_range(true)
     }
 
     /// The leading part.
     #[inline(always)]
-    pub(crate) fn round(self) -> f64 {
+    pub fn round(self) -> f64 {
         self.value.round()
     }
 

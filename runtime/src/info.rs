@@ -26,8 +26,20 @@ pub struct Info {
     pub results: &'static [ResultInfo],
     /// The rewrites that keep its digits.
     pub rules: &'static [&'static str],
+    /// What the function computes in.
+    pub precision: Precision,
     /// What one evaluation costs, the check of the domain left out.
     pub operations: Operations,
+}
+
+/// What the function of a kernel computes in; `faithful` is the same for all of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// `f64`, rounded at every step.
+    Double,
+    /// What `faithful` computes in: double-double, rounded once at the end, and integers with an endless exponent where
+    /// that over- or underflows.
+    DoubleDouble,
 }
 
 /// An input of a kernel.
@@ -56,7 +68,7 @@ pub struct ResultInfo {
     pub bound_ulp: Option<f64>,
 }
 
-/// How many operations one evaluation takes; both branches of an `if` count.
+/// How many operations one evaluation takes, in the precision of the kernel; both branches of an `if` count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Operations {
     /// Additions and subtractions.

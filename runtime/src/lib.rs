@@ -58,7 +58,7 @@ mod wide;
 
 pub use closedform_derive::kernel;
 pub use error::{CallError, DomainError, LengthError};
-pub use info::{Info, Input, MAX_INPUTS, Operations, ResultInfo};
+pub use info::{Info, Input, MAX_INPUTS, Operations, Precision, ResultInfo};
 pub use kernel::{Kernel, Program};
 #[cfg(feature = "mpfr")]
 pub use mpfr::Mpfr;
@@ -66,8 +66,10 @@ pub use real::Real;
 pub use root::{MAX_DEGREE, positive_root};
 pub use wide::Wide;
 
-/// What expansions of `#[kernel]` call; not for people.
+/// What expansions of `#[kernel]` call, and tools that interpret kernels instead; not for people.
 #[doc(hidden)]
 pub mod __private {
+    pub use crate::guarded::Guarded;
     pub use crate::shape::{checked, faithful, quick, same_length, single, value};
+    pub use crate::soft::Soft;
 }

@@ -4,6 +4,7 @@ use core::cell::Cell;
 
 use crate::error::{DomainError, LengthError};
 use crate::guarded::Guarded;
+use crate::info::Precision;
 use crate::kernel::Program;
 use crate::quick::Quick;
 use crate::soft::Soft;
@@ -11,11 +12,14 @@ use crate::soft::Soft;
 /// The condition that comes before all others.
 const FINITE: &str = "every input is finite";
 
-/// The results in `f64`; NaN outside the domain.
+/// The results in `f64`, computed in the precision of the kernel; NaN outside the domain.
 ///
 /// Values are computed in any case and then selected: without a branch, batch loops vectorise.
 #[inline(always)]
 pub fn value<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
+    if P::INFO.precision == Precision::DoubleDouble {
+        return faithful::<P, N, K, M>(inputs);
+    }
     let results = P::evaluate(inputs);
     let inside = P::domain(inputs).iter().fold(finite(inputs), |all, holds| all & holds);
     results.map(|result| if inside { result } else { f64::NAN })
@@ -27,6 +31,11 @@ pub fn quick<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize
     inputs: &[f64; N],
     doubt: &Cell<bool>,
 ) -> [f64; M] {
+    if P::INFO.precision == Precision::DoubleDouble {
+        let (results, domain) = guarded::<P, N, K, M>(inputs, doubt);
+        let inside = domain.iter().fold(finite(inputs), |all, holds| all & holds);
+        return results.map(|result| if inside { result } else { f64::NAN });
+    }
     let numbers = inputs.map(|value| Quick { value, doubt });
     let results = P::evaluate(&numbers);
     let inside = P::domain(&numbers).iter().fold(finite(inputs), |all, holds| all & holds);
@@ -38,14 +47,27 @@ pub fn faithful<P: Program<N, K, M>, const N: usize, const K: usize, const M: us
     if !finite(inputs) {
         return [f64::NAN; M];
     }
-    let left = Cell::new(false);
-    let numbers = inputs.map(|value| Guarded::new(value, &left));
-    let (results, domain) = (P::evaluate(&numbers), P::domain(&numbers));
-    let (results, domain) = match left.get() {
-        false => (results.map(Guarded::round), domain),
-        true => soft::<P, N, K, M>(inputs),
-    };
+    let (results, domain) = rounded_once::<P, N, K, M>(inputs);
     if domain.iter().all(|holds| *holds) { results } else { [f64::NAN; M] }
+}
+
+/// Results and domain of finite inputs, with an error of less than one ulp.
+fn rounded_once<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    inputs: &[f64; N],
+) -> ([f64; M], [bool; K]) {
+    let left = Cell::new(false);
+    let in_double_double = guarded::<P, N, K, M>(inputs, &left);
+    if left.get() { soft::<P, N, K, M>(inputs) } else { in_double_double }
+}
+
+/// Results and domain in double-double, unless `left` is raised.
+#[inline(always)]
+fn guarded<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    inputs: &[f64; N],
+    left: &Cell<bool>,
+) -> ([f64; M], [bool; K]) {
+    let numbers = inputs.map(|value| Guarded::new(value, left));
+    (P::evaluate(&numbers).map(Guarded::round), P::domain(&numbers))
 }
 
 /// Results and domain in an arithmetic that neither over- nor underflows.
@@ -62,9 +84,16 @@ fn soft<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
 pub fn checked<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
 ) -> Result<[f64; M], DomainError> {
-    match violated::<P, N, K, M>(inputs) {
-        None => Ok(P::evaluate(inputs)),
-        Some(condition) => Err(DomainError::new(P::INFO, condition, inputs)),
+    let refused = |condition| Err(DomainError::new(P::INFO, condition, inputs));
+    if !finite(inputs) {
+        return refused(FINITE);
+    }
+    match P::INFO.precision {
+        Precision::Double => violated::<P, N, K, M>(P::domain(inputs)).map_or_else(|| Ok(P::evaluate(inputs)), refused),
+        Precision::DoubleDouble => {
+            let (results, domain) = rounded_once::<P, N, K, M>(inputs);
+            violated::<P, N, K, M>(domain).map_or(Ok(results), refused)
+        }
     }
 }
 
@@ -83,12 +112,10 @@ fn finite<const N: usize>(inputs: &[f64; N]) -> bool {
     inputs.iter().fold(true, |all, input| all & input.is_finite())
 }
 
+/// The first condition that does not hold.
 fn violated<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
-    inputs: &[f64; N],
+    domain: [bool; K],
 ) -> Option<&'static str> {
-    if !finite(inputs) {
-        return Some(FINITE);
-    }
-    let conditions = P::domain(inputs).into_iter().zip(P::INFO.domain);
+    let conditions = domain.into_iter().zip(P::INFO.domain);
     conditions.filter(|(holds, _)| !holds).map(|(_, &condition)| condition).next()
 }

@@ -52,7 +52,7 @@ impl Soft {
     }
 
     /// Exact; NaN unless finite.
-    pub(crate) fn from_f64(x: f64) -> Self {
+    pub fn from_f64(x: f64) -> Self {
         if !x.is_finite() {
             return Self::NAN;
         }
@@ -70,7 +70,7 @@ impl Soft {
     }
 
     /// The nearest `f64`; a tie goes to even.
-    pub(crate) fn to_f64(self) -> f64 {
+    pub fn to_f64(self) -> f64 {
         match self.kind {
             Kind::Nan => f64::NAN,
             Kind::Zero => 0.0,

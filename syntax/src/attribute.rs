@@ -6,13 +6,14 @@ use syn::punctuated::Punctuated;
 use syn::{Attribute, Expr, ExprLit, Lit, LitStr, Meta, MetaList, Path, Token};
 
 use crate::error::{self, Errors};
-use crate::kernel::{self, Output, ResultMeta};
+use crate::kernel::{self, Output, Precision, ResultMeta};
 
 /// The attribute as written, before the results of the kernel are known.
 #[derive(Default)]
 pub struct Written {
     texts: Vec<(Path, String)>,
     rules: Vec<String>,
+    precision: Precision,
     bounds: Vec<About<f64>>,
     results: Vec<About<Described>>,
 }
@@ -55,6 +56,7 @@ impl Written {
             Some("family" | "maxima" | "latex" | "source") => {
                 self.texts.extend(text(item, errors).map(|text| (path.clone(), text)));
             }
+            Some("precision") => self.precision = precision(item, errors),
             Some("rules") => self.rules = rules(item, errors),
             Some("bound") => self.bounds = bounds(item, errors),
             Some("result") => {
@@ -86,6 +88,7 @@ impl Written {
             source: self.text("source"),
             summary: summary(attributes),
             rules: self.rules.clone(),
+            precision: self.precision,
             results,
         }
     }
@@ -141,6 +144,18 @@ pub fn text(item: &Meta, errors: &mut Errors) -> Option<String> {
     }
     errors.push(item, error::TEXT);
     None
+}
+
+fn precision(item: &Meta, errors: &mut Errors) -> Precision {
+    let Some(written) = text(item, errors) else { return Precision::default() };
+    match written.as_str() {
+        "double" => Precision::Double,
+        "double-double" => Precision::DoubleDouble,
+        _ => {
+            errors.push(item, error::PRECISION);
+            Precision::default()
+        }
+    }
 }
 
 fn rules(item: &Meta, errors: &mut Errors) -> Vec<String> {

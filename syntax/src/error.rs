@@ -3,10 +3,12 @@
 use quote::ToTokens;
 use syn::Result;
 
-pub const ATTRIBUTE: &str = "unknown key; `#[kernel(..)]` knows family, maxima, latex, source, rules, bound, result \
-                             and results";
+pub const ATTRIBUTE: &str = "unknown key; `#[kernel(..)]` knows family, maxima, latex, source, rules, precision, \
+                             bound, result and results";
 pub const ATTRIBUTE_TWICE: &str = "this key is written twice; keep one";
 pub const TEXT: &str = "write this key as `key = \"text\"`";
+pub const PRECISION: &str =
+    "write the precision as `precision = \"double\"`, which is meant without it, or `precision = \"double-double\"`";
 pub const RULES: &str = "write the rules as `rules(\"one\", \"another\")`";
 pub const BOUND: &str =
     "write the bound as `bound = 4`, or for a struct `bound(field = 4, other = 6)`: ulp, not below zero";

@@ -39,8 +39,20 @@ pub struct Meta {
     pub summary: String,
     /// The rewrites that keep its digits.
     pub rules: Vec<String>,
+    /// What its function computes in.
+    pub precision: Precision,
     /// One entry a result, in the order of the output.
     pub results: Vec<ResultMeta>,
+}
+
+/// What the function of a kernel computes in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Precision {
+    /// `f64`, rounded at every step.
+    #[default]
+    Double,
+    /// What `faithful` computes in, rounded once at the end.
+    DoubleDouble,
 }
 
 /// What is known of a result.

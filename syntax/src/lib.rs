@@ -26,7 +26,8 @@ mod slice;
 pub use file::parse_file;
 pub use interpret::{Arithmetic, Violation, evaluate, violated};
 pub use kernel::{
-    BinaryOp, Comparison, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Require, ResultMeta, Slice,
+    BinaryOp, Comparison, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Precision, Require, ResultMeta,
+    Slice,
 };
 pub use operations::{Operations, operations, operations_of};
 pub use print::{condition_text, expression_text};

@@ -1,5 +1,6 @@
 //! Descriptions: what is known of a kernel, as programs read it.
 
+use closedform_syntax::Precision;
 use serde::Serialize;
 
 use crate::catalogue::{Entry, maxima_name, unit_of};
@@ -26,6 +27,8 @@ pub struct Description {
     pub source: Option<String>,
     /// The rewrites that keep its digits.
     pub rules: Vec<String>,
+    /// What it computes in: `double`, or `double-double`, rounded once at the end.
+    pub precision: &'static str,
     /// What one evaluation costs.
     pub operations: OperationCounts,
 }
@@ -89,6 +92,10 @@ impl Description {
             latex: meta.latex.clone(),
             source: meta.source.clone(),
             rules: meta.rules.clone(),
+            precision: match meta.precision {
+                Precision::Double => "double",
+                Precision::DoubleDouble => "double-double",
+            },
             operations: OperationCounts::of(entry),
         }
     }
@@ -181,7 +188,7 @@ mod tests {
         assert_eq!(json["inputs"][0]["maxima"], "aMax");
         assert_eq!(json["results"][0]["bound_ulp"], 3.5);
         assert_eq!(json["operations"]["sqrt"], 1);
-        assert_eq!(json["source"], "1.1 %o2");
+        assert_eq!((&json["source"], &json["precision"]), (&"1.1 %o2".into(), &"double".into()));
         assert_eq!(described.operations.in_words(), "2 additions, 1 multiplication, 1 division, 1 square root");
     }
 }

@@ -46,8 +46,9 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
 
 impl Page {
     fn text(&self) -> String {
-        let Description { kernel, summary, inputs, domain, results, maxima, source, rules, operations, .. } =
-            &self.description;
+        let Description {
+            kernel, summary, inputs, domain, results, maxima, source, rules, precision, operations, ..
+        } = &self.description;
         let mut text = format!("{kernel}\n{summary}\n");
         section(&mut text, "Formula", maxima.iter().flat_map(|maxima| maxima.lines().map(str::to_owned)));
         section(&mut text, "Inputs", inputs.iter().map(input_line));
@@ -55,7 +56,7 @@ impl Page {
         section(&mut text, "Domain", [finite].into_iter().chain(domain.iter().cloned()));
         section(&mut text, "Results", results.iter().map(result_line));
         section(&mut text, "Rules", rules.iter().cloned());
-        section(&mut text, "Operations", [operations.in_words()]);
+        section(&mut text, "Operations", [format!("{}, in {precision}", operations.in_words())]);
         section(&mut text, "Derived in", source.iter().cloned());
         let _ = writeln!(text, "\nRust\n\n{}", self.rust);
         text

@@ -118,7 +118,8 @@ fn exactly(terms: &[u8], operands: &[Wide]) -> Float {
     sum
 }
 
-fn split(value: &Float) -> Wide {
+/// The leading 106 bits.
+pub(super) fn split(value: &Float) -> Wide {
     let high = value.to_f64();
     Wide::two_sum(high, Float::with_val(SLICE_BITS, value - high).to_f64())
 }

@@ -1,9 +1,10 @@
 //! What is hunted: one kernel, its errors estimated fast and confirmed by its reference.
 
-use closedform_syntax::{Kernel, evaluate, violated};
+use closedform::{Mpfr, Wide};
+use closedform_syntax::{Kernel, Precision, evaluate};
 
-use super::accurate::{Accurate, distance};
-use crate::measure::{Compiled, Measurement, Reference, ValueError, Worst, covers, measure};
+use super::accurate::{Accurate, distance, split};
+use crate::measure::{Compiled, Measurement, REFERENCE_BITS, Reference, ValueError, Worst, covers, measure, results};
 use crate::worksheet::contract::Input;
 use crate::worksheet::domain::Domain;
 
@@ -22,20 +23,32 @@ pub struct Prey<'a> {
 impl Prey<'_> {
     /// Whether the kernel takes the point: the domain, but for roundings of its conditions.
     pub(super) fn takes(&self, point: &[f64]) -> bool {
-        violated(self.kernel, &Compiled(0.0), point).is_none()
+        results(self.kernel, point).is_ok()
     }
 
     /// An estimate of the error of one result in ulp; `None` where the kernel refuses the point or nothing is known.
     pub(super) fn estimate(&self, result: usize, point: &[f64]) -> Option<f64> {
-        if !self.takes(point) {
-            return None;
-        }
+        let got = *results(self.kernel, point).ok()?.get(result)?;
+        let exact = match self.kernel.meta.precision {
+            Precision::Double => self.in_double_double(result, point),
+            Precision::DoubleDouble => self.in_mpfr(result, point),
+        }?;
+        exact.low().is_finite().then(|| distance(got, exact))
+    }
+
+    fn in_double_double(&self, result: usize, point: &[f64]) -> Option<Wide> {
         let wide: Vec<_> = point.iter().map(|value| (*value).into()).collect();
         let arithmetic = Accurate::default();
         let exact = *evaluate(self.kernel, &arithmetic, &wide).get(result)?;
-        let known = !arithmetic.left() && exact.low().is_finite();
-        let got = *evaluate(self.kernel, &Compiled(0.0), point).get(result)?;
-        known.then(|| distance(got, exact))
+        (!arithmetic.left()).then_some(exact)
+    }
+
+    /// What a kernel that computes in double-double itself is compared with.
+    fn in_mpfr(&self, result: usize, point: &[f64]) -> Option<Wide> {
+        let bits = 2 * REFERENCE_BITS;
+        let precise: Vec<_> = point.iter().map(|value| Mpfr::new(bits, *value)).collect();
+        let exact = evaluate(self.kernel, &Compiled(Mpfr::new(bits, 0.0)), &precise);
+        exact.get(result).map(|exact| split(&exact.0))
     }
 
     /// Whether the bound covers the point: it is inside the domain, exactly, and nothing over- or underflows.

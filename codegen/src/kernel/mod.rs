@@ -12,10 +12,11 @@ use crate::program::{Node, name_steps};
 use crate::rust::{InputDoc, KernelText, RequireText, ResultText};
 use crate::stable::builder::Builder;
 use crate::stable::rules::falling_newton::{self, RootError};
-use crate::stable::rules::{gathered, one_reciprocal};
+use crate::stable::rules::{double_double, gathered, one_reciprocal};
 use crate::stable::stabilise;
 use crate::worksheet::contract::{Contract, KernelContract};
 use closedform_maxima::{Definition, print, to_latex};
+use closedform_syntax::Precision;
 use thiserror::Error;
 
 /// Why no kernel can be made.
@@ -72,11 +73,11 @@ pub fn make(
         .collect::<Result<_, _>>()
         .map_err(KernelError::Lower)?;
     let outputs = outputs(&mut builder, &expressions, references)?;
-    let mut outputs = gathered::apply(&mut builder, &outputs, kernel.few_roundings);
+    let (mut outputs, precision) = with_few_roundings(&mut builder, outputs, kernel.few_roundings);
     if kernel.one_division {
         outputs = one_reciprocal::apply(&mut builder, &outputs);
     }
-    let results = results(&builder, kernel, &outputs)?;
+    let results = results(&builder, kernel, &outputs, precision)?;
     let inputs: Vec<InputDoc> = contract
         .inputs_of(kernel)
         .into_iter()
@@ -105,6 +106,7 @@ pub fn make(
         requires,
         results,
         rules: builder.used_rules().iter().copied().collect(),
+        precision,
         program,
         graph: builder.graph,
     })
@@ -145,6 +147,19 @@ fn outputs(builder: &mut Builder, expressions: &[Expr], references: &[Definition
     Ok(expressions.iter().filter_map(&mut joined).collect())
 }
 
+/// The outputs with roundings as few as they should be: as they are, by slices, or in double-double.
+fn with_few_roundings(builder: &mut Builder, outputs: Vec<Node>, wanted: bool) -> (Vec<Node>, Precision) {
+    let used = builder.used_rules().clone();
+    let gathered = gathered::apply(builder, &outputs, wanted);
+    let used_by_slices = builder.used_rules().clone();
+    builder.reset_rules(used);
+    if wanted && double_double::apply(builder, &outputs, &gathered) {
+        return (outputs, Precision::DoubleDouble);
+    }
+    builder.reset_rules(used_by_slices);
+    (gathered, Precision::Double)
+}
+
 /// The closed forms that a result chooses from, mostly one.
 fn items(expression: &Expr) -> &[Expr] {
     match expression {
@@ -160,13 +175,22 @@ fn positive_root(builder: &mut Builder, polynomial: &Expr, unknown: &str, functi
         .map_err(|cause| KernelError::Root { function: function.to_owned(), cause })
 }
 
-fn results(builder: &Builder, kernel: &KernelContract, outputs: &[Node]) -> Result<Vec<ResultText>, KernelError> {
+fn results(
+    builder: &Builder,
+    kernel: &KernelContract,
+    outputs: &[Node],
+    precision: Precision,
+) -> Result<Vec<ResultText>, KernelError> {
+    let error = |node| match precision {
+        Precision::Double => builder.graph.error(node),
+        Precision::DoubleDouble => double_double::error(&builder.graph, node),
+    };
     kernel
         .results
         .iter()
         .zip(outputs)
         .map(|(result, &node)| {
-            let bound = bound_in_ulp(builder.graph.error(node));
+            let bound = bound_in_ulp(error(node));
             let bound = bound.ok_or_else(|| KernelError::Unbounded(result.worksheet.clone()))?;
             Ok(ResultText {
                 name: result.name.clone(),

@@ -5,7 +5,7 @@
 //! machine really takes is measured by `cargo bench -p closedform-tests --bench ratios`.
 
 use closedform_maxima::{Expr, double_operations};
-use closedform_syntax::Operations;
+use closedform_syntax::{Operations, Precision};
 
 /// A division, and a square root.
 const DIVISION: u32 = 8;
@@ -20,8 +20,15 @@ const IN_SLICE: u32 = 12;
 /// A falling iteration: about a dozen steps through a polynomial of degree four and its derivative, each with a division.
 const ITERATION: u32 = 12 * (2 * 2 * 4 + DIVISION);
 
-/// The plain call.
-pub(super) fn plain(count: &Operations) -> u32 {
+/// The plain call of a kernel of this precision.
+pub(super) fn plain(count: &Operations, precision: Precision) -> u32 {
+    match precision {
+        Precision::Double => in_double(count),
+        Precision::DoubleDouble => faithful(count),
+    }
+}
+
+fn in_double(count: &Operations) -> u32 {
     count.add + count.mul + DIVISION * count.div + ROOT * count.sqrt + inner(count)
 }
 

@@ -1,10 +1,13 @@
-//! The promise of a bound: it holds while no step over- or underflows.
+//! The promise of a bound: it holds while no step over- or underflows, or in double-double no result.
 
 use std::cell::Cell;
 use std::cmp::Ordering;
 
+use closedform::__private::Soft;
 use closedform::Real;
-use closedform_syntax::{Arithmetic, Kernel, Slice, SliceArithmetic, evaluate, violated};
+use closedform_syntax::{Arithmetic, Kernel, Precision, Slice, SliceArithmetic, evaluate, violated};
+
+use super::{Compiled, run};
 
 /// The magnitudes between which products in double-double are error-free: beyond, an operand cannot be split; below,
 /// errors underflow.
@@ -14,6 +17,25 @@ const ERROR_FREE: (f64, f64) = (f64::from_bits((1023 - 969) << 52), f64::from_bi
 ///
 /// Where the kernel refuses the point, only the steps that decide so count.
 pub fn covers(kernel: &Kernel, point: &[f64]) -> bool {
+    match kernel.meta.precision {
+        Precision::Double => steps_stay(kernel, point),
+        Precision::DoubleDouble => results_stay(kernel, point),
+    }
+}
+
+/// Whether no result over- or underflows.
+fn results_stay(kernel: &Kernel, point: &[f64]) -> bool {
+    let zero = Soft::from_f64(0.0);
+    let point: Vec<Soft> = point.iter().map(|value| Soft::from_f64(*value)).collect();
+    run(kernel, &Compiled(zero), &point).map_or(true, |results| {
+        results.into_iter().all(|result| {
+            let rounded = result.to_f64();
+            result == zero || rounded.is_nan() || rounded.is_normal()
+        })
+    })
+}
+
+fn steps_stay(kernel: &Kernel, point: &[f64]) -> bool {
     let watch = Watch::default();
     if violated(kernel, &watch, point).is_none() {
         watch.left.set(false);
@@ -186,6 +208,21 @@ mod tests {
         assert!(!covered("x * y", &[1e200, 1e200]));
         assert!(!covered("1.0 / (x * y)", &[1e-160, 1e-160]));
         assert!(!covered("x / y", &[1e-200, 1e200]));
+    }
+
+    #[test]
+    fn in_double_double_only_results_may_leave() {
+        let covered = |body: &str, point: &[f64]| {
+            let source =
+                format!("#[kernel(precision = \"double-double\")]\npub fn f(x: f64, y: f64) -> f64 {{ {body} }}");
+            covers(&closedform_syntax::parse_file(&source).unwrap()[0], point)
+        };
+        assert!(covered("sqrt(x * x + y * y)", &[1e300, 1e-300]));
+        assert!(covered("x * y - y * x", &[1e300, 1e300]));
+        assert!(covered("sqrt(x)", &[-1.0, 1.0]), "a mistake");
+        assert!(!covered("x * y", &[1e300, 1e300]));
+        assert!(!covered("x * y", &[1e-200, 1e-200]));
+        assert!(!covered("x * y", &[1e-155, 1e-155]));
     }
 
     #[test]

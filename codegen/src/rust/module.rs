@@ -2,6 +2,7 @@
 
 use super::expression::Printer;
 use crate::program::{Condition, Graph, Node, Program};
+use closedform_syntax::Precision;
 use std::fmt::Write as _;
 
 /// Everything that a family's file says.
@@ -44,6 +45,8 @@ pub struct KernelText {
     pub results: Vec<ResultText>,
     /// The rules that made the program.
     pub rules: Vec<&'static str>,
+    /// What it computes in.
+    pub precision: Precision,
     /// The steps.
     pub graph: Graph,
     /// The order and the names of the steps.
@@ -173,7 +176,11 @@ fn print_docs(text: &mut String, kernel: &KernelText) {
 
 fn bound_line(kernel: &KernelText, result: &ResultText) -> String {
     let what = if kernel.results.len() == 1 { String::new() } else { format!("`{}`: ", result.name) };
-    format!("- {what}at most {} ulp, barring overflow and underflow", result.bound)
+    let of = match kernel.precision {
+        Precision::Double => "",
+        Precision::DoubleDouble => " of the result",
+    };
+    format!("- {what}at most {} ulp, barring overflow and underflow{of}", result.bound)
 }
 
 fn print_attribute(text: &mut String, family: &str, kernel: &KernelText) {
@@ -184,6 +191,9 @@ fn print_attribute(text: &mut String, family: &str, kernel: &KernelText) {
     let _ = writeln!(text, "    source = {:?},", kernel.source);
     let rules: Vec<String> = kernel.rules.iter().map(|rule| format!("{rule:?}")).collect();
     let _ = writeln!(text, "    rules({}),", rules.join(", "));
+    if kernel.precision == Precision::DoubleDouble {
+        let _ = writeln!(text, "    precision = \"double-double\",");
+    }
     if kernel.returns.is_some() {
         let bounds: Vec<String> = kernel.results.iter().map(|r| format!("{} = {:?}", r.name, r.bound)).collect();
         let _ = writeln!(text, "    bound({}),", bounds.join(", "));

@@ -4,6 +4,7 @@ pub mod compensated;
 pub mod conjugate;
 pub mod differences_first;
 pub mod distributed;
+pub mod double_double;
 pub mod factored;
 pub mod falling_newton;
 pub mod gathered;
@@ -26,11 +27,12 @@ pub struct Rule {
 }
 
 /// Every rule, in alphabetical order.
-pub const ALL: [&Rule; 13] = [
+pub const ALL: [&Rule; 14] = [
     &compensated::RULE,
     &conjugate::RULE,
     &differences_first::RULE,
     &distributed::RULE,
+    &double_double::RULE,
     &factored::RULE,
     &falling_newton::RULE,
     &gathered::RULE,

@@ -1,0 +1,66 @@
+//! Rule `double-double`: where slices leave too many roundings, every step is taken in double-double.
+
+use super::Rule;
+use crate::program::{Graph, Node, Op};
+use crate::stable::builder::Builder;
+use std::collections::HashMap;
+
+/// The rule.
+pub const RULE: Rule = Rule {
+    name: "double-double",
+    statement: "every step is taken in double-double, and only results are rounded",
+    condition: "the contract asks for few roundings, a result would have a bound of more than 2 ulp otherwise, and no \
+                root is iterated: it costs more time than slices",
+};
+
+/// A bound that is small enough where few roundings are asked for, in units of 2^-53.
+const ENOUGH: f64 = 2.0;
+
+/// What a step in double-double adds to a relative error, in units of 2^-53: 15 * 2^-53, rounded up with all terms of
+/// higher order.
+const STEP: f64 = 1e-6;
+
+/// How far a `compensated!` slice may be off that is not rounded, in units of 2^-53.
+const COMPENSATED: f64 = 0.001;
+
+/// Whether the results are taken in double-double, since what is gathered is not enough.
+pub fn apply(builder: &mut Builder, results: &[Node], gathered: &[Node]) -> bool {
+    let enough = gathered.iter().all(|&result| builder.graph.error(result) <= ENOUGH);
+    if enough || results.iter().any(|&result| !error(&builder.graph, result).is_finite()) {
+        return false;
+    }
+    results.iter().for_each(|&result| builder.apply(&RULE, result));
+    true
+}
+
+/// The relative error of a result in units of 2^-53 when its steps are taken in double-double, and it is rounded.
+#[must_use]
+pub fn error(graph: &Graph, result: Node) -> f64 {
+    error_of_step(graph, result, &mut HashMap::new()) + 1.0
+}
+
+fn error_of_step(graph: &Graph, node: Node, known: &mut HashMap<Node, f64>) -> f64 {
+    if graph.error(node) == 0.0 || !graph.error(node).is_finite() {
+        return graph.error(node);
+    }
+    if let Some(&error) = known.get(&node) {
+        return error;
+    }
+    let mut of = |node| error_of_step(graph, node, known);
+    let error = match graph.op(node) {
+        // a constant that no double holds
+        Op::Input(_) | Op::Literal(_) => graph.error(node),
+        Op::Pi => STEP,
+        Op::Neg(a) => of(*a),
+        // the sum of what `f64` adds without cancellation does not cancel here either
+        Op::Add(a, b) | Op::Sub(a, b) => of(*a).max(of(*b)) + STEP,
+        Op::Mul(a, b) | Op::Div(a, b) => of(*a) + of(*b) + STEP,
+        Op::Sqrt(a) => 0.5 * of(*a) + STEP,
+        Op::If(_, a, b) => of(*a).max(of(*b)),
+        Op::Max(items) | Op::Min(items) => items.iter().map(|&item| of(item)).fold(0.0, f64::max),
+        Op::Compensated(_) => COMPENSATED,
+        Op::Residual(_) | Op::PositiveRoot(_) => f64::INFINITY,
+    };
+    known.insert(node, error);
+    error
+}
