@@ -1,6 +1,6 @@
 //! The constant `INFO`.
 
-use closedform_syntax::{Input, Kernel, Precision, ResultMeta, operations};
+use closedform_syntax::{Input, Kernel, Precision, ResultMeta, most_factors, operations};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -22,6 +22,7 @@ pub fn info(kernel: &Kernel) -> TokenStream {
         Precision::DoubleDouble => quote!(DoubleDouble),
     };
     let operations = operations_literal(kernel);
+    let factors = most_factors(kernel);
     quote! {
         ::closedform::Info {
             name: #name,
@@ -36,6 +37,7 @@ pub fn info(kernel: &Kernel) -> TokenStream {
             rules: &[#(#rules),*],
             precision: ::closedform::Precision::#precision,
             operations: #operations,
+            factors: #factors,
         }
     }
 }

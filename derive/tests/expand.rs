@@ -281,6 +281,7 @@ fn info_tells_what_was_written() {
     assert_eq!((info.results[0].name, info.results[0].worksheet, info.results[0].unit), ("t_in", "tInFn", "s"));
     let operations = closedform::Operations { add: 3, mul: 2, div: 1, sqrt: 1, compensated: 4, root: 0 };
     assert_eq!(info.operations, operations);
+    assert_eq!((info.factors, slices::INFO.factors), (3, 3));
     assert_eq!(slices::INFO.name, "slices");
 }
 

@@ -30,6 +30,9 @@ pub struct Info {
     pub precision: Precision,
     /// What one evaluation costs, the check of the domain left out.
     pub operations: Operations,
+    /// The most inputs or steps that a term of its slices multiplies; 1 where it has no slice. Where k of them are beyond
+    /// magnitudes of 2^(1000/k), a slice may over- or underflow.
+    pub factors: u32,
 }
 
 /// What the function of a kernel computes in; `faithful` is the same for all of them.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::kernel::{BinaryOp, Condition, Expr, Kernel};
+use crate::kernel::{BinaryOp, Condition, Expr, Kernel, Slice};
 
 /// How many operations one evaluation takes; signs, magnitudes, comparisons and choices are free.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -37,8 +37,10 @@ pub fn operations_of(kernel: &Kernel, result: usize) -> Operations {
     let mut needed = BTreeSet::new();
     let mut take = |value: &Expr, needed: &mut BTreeSet<usize>| {
         count.expression(value);
-        visit_names(value, &mut |slot| {
-            needed.insert(slot);
+        visit(value, &mut |inner| {
+            if let Expr::Name(name) = inner {
+                needed.insert(name.slot);
+            }
         });
     };
     kernel.output.values().nth(result).into_iter().for_each(|value| take(value, &mut needed));
@@ -50,31 +52,52 @@ pub fn operations_of(kernel: &Kernel, result: usize) -> Operations {
     count
 }
 
-/// Calls `visit` with the slot of every name in the expression.
-fn visit_names(expr: &Expr, visit: &mut impl FnMut(usize)) {
+/// The most names that a term of a slice multiplies, anywhere in the kernel; 1 where it has no slice.
+pub fn most_factors(kernel: &Kernel) -> u32 {
+    let mut most = 1;
+    let mut see = |expr: &Expr| match expr {
+        Expr::Compensated(Slice { value: slice, .. }) | Expr::Residual(slice) => most = most.max(factors(slice)),
+        _ => {}
+    };
+    kernel.requires.iter().for_each(|require| visit_condition(&require.condition, &mut see));
+    kernel.lets.iter().map(|step| &step.value).chain(kernel.output.values()).for_each(|value| visit(value, &mut see));
+    most
+}
+
+/// The most names that a term of a slice multiplies.
+fn factors(slice: &Expr) -> u32 {
+    match slice {
+        Expr::Name(_) => 1,
+        Expr::Neg(inner) => factors(inner),
+        Expr::Binary { op: BinaryOp::Mul, left, right } => factors(left) + factors(right),
+        Expr::Binary { left, right, .. } => factors(left).max(factors(right)),
+        _ => 0,
+    }
+}
+
+/// Calls `see` with the expression and all inside it.
+fn visit(expr: &Expr, see: &mut impl FnMut(&Expr)) {
+    see(expr);
     match expr {
-        Expr::Literal { .. } | Expr::Pi(_) => {}
-        Expr::Name(name) => visit(name.slot),
-        Expr::Neg(inner) | Expr::Abs(inner) | Expr::Sqrt(inner) | Expr::Residual(inner) => visit_names(inner, visit),
-        Expr::Compensated(slice) => visit_names(&slice.value, visit),
-        Expr::Extreme { items, .. } | Expr::PositiveRoot(items) => {
-            items.iter().for_each(|value| visit_names(value, visit));
-        }
-        Expr::Binary { left, right, .. } => [left, right].into_iter().for_each(|side| visit_names(side, visit)),
+        Expr::Literal { .. } | Expr::Pi(_) | Expr::Name(_) => {}
+        Expr::Neg(inner) | Expr::Abs(inner) | Expr::Sqrt(inner) | Expr::Residual(inner) => visit(inner, see),
+        Expr::Compensated(slice) => visit(&slice.value, see),
+        Expr::Extreme { items, .. } | Expr::PositiveRoot(items) => items.iter().for_each(|value| visit(value, see)),
+        Expr::Binary { left, right, .. } => [left, right].into_iter().for_each(|side| visit(side, see)),
         Expr::If { condition, then, otherwise } => {
-            visit_condition(condition, visit);
-            [then, otherwise].into_iter().for_each(|side| visit_names(side, visit));
+            visit_condition(condition, see);
+            [then, otherwise].into_iter().for_each(|side| visit(side, see));
         }
     }
 }
 
-fn visit_condition(condition: &Condition, visit: &mut impl FnMut(usize)) {
+fn visit_condition(condition: &Condition, see: &mut impl FnMut(&Expr)) {
     match condition {
-        Condition::Compare { left, right, .. } => [left, right].into_iter().for_each(|side| visit_names(side, visit)),
+        Condition::Compare { left, right, .. } => [left, right].into_iter().for_each(|side| visit(side, see)),
         Condition::And(left, right) | Condition::Or(left, right) => {
-            [left, right].into_iter().for_each(|side| visit_condition(side, visit));
+            [left, right].into_iter().for_each(|side| visit_condition(side, see));
         }
-        Condition::Not(inner) => visit_condition(inner, visit),
+        Condition::Not(inner) => visit_condition(inner, see),
     }
 }
 
@@ -163,5 +186,16 @@ mod tests {
         assert_eq!(operations_of(&kernel, 0), Operations { mul: 1, div: 1, sqrt: 1, ..slice });
         assert_eq!(operations_of(&kernel, 1), Operations { add: 2, ..slice });
         assert_eq!(operations(&kernel), Operations { add: 2, mul: 1, div: 1, sqrt: 1, ..slice });
+    }
+    #[test]
+    fn the_longest_product_of_a_slice_counts() {
+        let most = |body: &str| {
+            let source = format!("#[kernel]\npub fn f(x: f64, y: f64) -> f64 {{ {body} }}");
+            most_factors(&crate::parse_file(&source).unwrap().remove(0))
+        };
+        assert_eq!(most("x * y * x"), 1);
+        assert_eq!(most("sqrt(compensated!(2.0 * x * (x * y - 3.0 * y)) + x)"), 3);
+        assert_eq!(most("require!(compensated!(x * x * y - 1.0) > 0.0); x"), 3);
+        assert_eq!(most("if compensated!(x * y) > 0.0 { x } else { compensated!(x - y) }"), 2);
     }
 }

@@ -16,13 +16,16 @@ pub struct Budget {
     pub climbs: usize,
     /// Steps of a climb.
     pub steps: usize,
+    /// Points of a sweep for each kernel.
+    pub sweep: usize,
     /// Points for each kernel and law.
     pub laws: usize,
 }
 
-const QUICK: Budget = Budget { points: 160, edges: 1_000, climbs: 6, steps: 100, laws: 100 };
-const FULL: Budget = Budget { points: 2_000, edges: 20_000, climbs: 24, steps: 500, laws: 1_000 };
-const EXTENSIVE: Budget = Budget { points: 100_000, edges: 1_000_000, climbs: 400, steps: 4_000, laws: 20_000 };
+const QUICK: Budget = Budget { points: 160, edges: 1_000, climbs: 6, steps: 100, sweep: 1_500, laws: 100 };
+const FULL: Budget = Budget { points: 2_000, edges: 20_000, climbs: 24, steps: 500, sweep: 30_000, laws: 1_000 };
+const EXTENSIVE: Budget =
+    Budget { points: 100_000, edges: 1_000_000, climbs: 400, steps: 4_000, sweep: 1_500_000, laws: 20_000 };
 
 /// The budget that the environment asks for.
 pub fn budget() -> Budget {

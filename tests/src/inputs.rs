@@ -8,8 +8,10 @@ use crate::reference::Oracle;
 use crate::scaling::dimensions;
 use crate::zeros::{Zeros, subterms};
 
-/// Inputs other than zero stay within 2^-LIMIT to 2^LIMIT, lest a product over- or underflows.
+/// Inputs other than zero stay within 2^-LIMIT to 2^LIMIT, lest a product over- or underflows, and closer where a slice
+/// multiplies more than some of them: the product within 2^-PRODUCT to 2^PRODUCT.
 const LIMIT: i32 = 128;
+const PRODUCT: i32 = 1_000;
 
 /// The exponents of `Maker::Wide`.
 const WIDE: f64 = 100.0;
@@ -111,7 +113,14 @@ impl Space {
 
     /// Whether a point is one to judge: inside the domain, and of magnitudes that do not over- or underflow.
     pub fn admits(&self, point: &[f64]) -> bool {
-        moderate(point) && self.domain.contains(point)
+        self.moderate(point) && self.domain.contains(point)
+    }
+
+    /// Whether no product of a few of these inputs over- or underflows.
+    fn moderate(&self, point: &[f64]) -> bool {
+        let limit = LIMIT.min(PRODUCT / self.info.factors as i32);
+        let range = 2.0_f64.powi(-limit)..=2.0_f64.powi(limit);
+        point.iter().all(|input| *input == 0.0 || range.contains(&input.abs()))
     }
 
     /// `count` points inside the domain; none where the kernel has none of this kind.
@@ -152,7 +161,7 @@ impl Space {
             }
             Some(point)
         };
-        let refused = |point: &[f64]| moderate(point) && !self.domain.contains(point);
+        let refused = |point: &[f64]| self.moderate(point) && !self.domain.contains(point);
         let list = (0..count).map(|_| self.first(|| candidate(&mut random), refused)).collect();
         Points { origin: format!("outside, seed {seed}"), list }
     }
@@ -213,12 +222,6 @@ impl Space {
     }
 }
 
-/// Whether no product of a few of these inputs over- or underflows.
-fn moderate(point: &[f64]) -> bool {
-    let range = 2.0_f64.powi(-LIMIT)..=2.0_f64.powi(LIMIT);
-    point.iter().all(|input| *input == 0.0 || range.contains(&input.abs()))
-}
-
 /// The signs that the conditions on the input alone leave open.
 fn signs(domain: &Domain, position: usize, input: &Input) -> Vec<f64> {
     let (low, high) = input.typical;
@@ -242,9 +245,11 @@ fn logarithmic(input: &Input, random: &mut Random) -> f64 {
     random.between(low, high).exp2()
 }
 
+/// The bits of a fraction.
+const FRACTION: u64 = (1 << 52) - 1;
+
 /// A number of this exponent; its fraction of all bits, of few, or of nearly all ones.
 fn with_bits(exponent: f64, random: &mut Random) -> f64 {
-    const FRACTION: u64 = (1 << 52) - 1;
     let bits = random.bits() & FRACTION;
     let fraction = match random.below(4) {
         0 => bits & !(FRACTION >> random.below(53)),
@@ -252,6 +257,12 @@ fn with_bits(exponent: f64, random: &mut Random) -> f64 {
         _ => bits,
     };
     f64::from_bits(1.0_f64.to_bits() | fraction) * exponent.floor().exp2()
+}
+
+/// A number of the same sign and exponent as this one, which is not zero.
+pub fn other_fraction(value: f64, random: &mut Random) -> f64 {
+    let fraction = with_bits(0.0, random).to_bits() & FRACTION;
+    f64::from_bits(value.to_bits() & !FRACTION | fraction)
 }
 
 /// The number with no more than `bits` bits after its leading one.

@@ -32,6 +32,7 @@ pub mod scaling;
 pub mod scan;
 pub mod shapes;
 pub mod strategy;
+pub mod sweep;
 pub mod table;
 pub mod tidy;
 pub mod ulp;

@@ -6,6 +6,7 @@ use closedform_tests::failure::Failure;
 use closedform_tests::hunt::hunt;
 use closedform_tests::inputs::{Maker, Points};
 use closedform_tests::random::seed;
+use closedform_tests::sweep::sweep;
 use closedform_tests::{kept, kernels, parallel, plain, shapes, strategy, table};
 
 /// Demands something of every kernel, in parallel; all failures are told.
@@ -107,6 +108,22 @@ fn faithful_results_are_less_than_one_ulp_off() {
         println!("{:<40} {:.3} ulp", judge.kernel.info.name, worst.into_iter().fold(0.0, f64::max));
         Ok(())
     });
+}
+
+#[test]
+fn a_sweep_finds_no_broken_promise() {
+    let judges = kernels::judges();
+    let swept = parallel::map(&judges, |judge| {
+        let mut list = Maker::ALL.map(|maker| judge.space.inside(maker, seed(), 200).list).concat();
+        list.extend(kept::points(judge, &kept::load()).list);
+        let around = Points { origin: format!("every maker, seed {}", seed()), list };
+        sweep(judge, &around, seed(), budget().sweep)
+    });
+    for (judge, swept) in judges.iter().zip(&swept) {
+        println!("{:<40} {swept:?}", judge.kernel.info.name);
+    }
+    let failures: Vec<String> = swept.into_iter().filter_map(Result::err).collect();
+    assert!(failures.is_empty(), "\n{}", failures.join("\n\n"));
 }
 
 #[test]
