@@ -419,21 +419,34 @@ impl Tower {
         Ok(self.element(&self.ring.variable(var)))
     }
 
-    /// The root as a product of known radicals, where its square is one: `sqrt(6)` is `sqrt(2)*sqrt(3)`.
+    /// The root as a quotient of known radicals times a polynomial: `sqrt(6)` is `sqrt(2)*sqrt(3)`, and so is `sqrt(2)`
+    /// if `sqrt(6)` and `sqrt(3)` are known.
     fn through_known_radicals(&self, inside: &Polynomial) -> Option<Element> {
         let count = self.radicals.len().min(6);
-        (1_usize..1 << count).find_map(|subset| {
-            let chosen: Vec<&Radical> =
-                (0..count).filter(|i| subset >> i & 1 == 1).map(|i| &self.radicals[i]).collect();
-            let radicands = chosen.iter().fold(self.ring.integer(1), |p, r| p.times(&r.radicand));
-            let square = self.reduce(&radicands.times(inside));
-            let (outside, denominator, rest) = self.split_squares(&square).ok()?;
-            if !rest.as_constant()?.is_one() {
-                return None;
-            }
-            let roots = chosen.iter().fold(outside, |p, r| p.times(&self.ring.variable(r.var)));
-            self.quotient(&roots, &radicands.scaled(&denominator)).ok()
+        (1_usize..1 << count).find_map(|all| {
+            // the subsets of `all`, the whole first
+            let below = std::iter::successors(Some(all), |below| below.checked_sub(1).map(|below| below & all));
+            below.into_iter().find_map(|below| self.through_quotient(inside, all & !below, below))
         })
+    }
+
+    /// The root as a polynomial times the radicals `above`, over those `below`.
+    fn through_quotient(&self, inside: &Polynomial, above: usize, below: usize) -> Option<Element> {
+        let chosen =
+            |set: usize| self.radicals.iter().enumerate().filter(move |(i, _)| set >> i & 1 == 1).map(|(_, r)| r);
+        let one = self.ring.integer(1);
+        let divisor = chosen(below).fold(one.clone(), |p, r| p.times(&r.radicand));
+        let radicands = chosen(above).fold(one.clone(), |p, r| p.times(&r.radicand));
+        let square = self.reduce(&inside.times(&divisor)).divided_by(&radicands)?;
+        let (outside, denominator) = self.root_of_square(&square)?;
+        let roots = chosen(above | below).fold(outside, |p, r| p.times(&self.ring.variable(r.var)));
+        self.quotient(&roots, &divisor.scaled(&denominator)).ok()
+    }
+
+    /// The root of a square, as a polynomial and a number that divides it.
+    fn root_of_square(&self, square: &Polynomial) -> Option<(Polynomial, BigRational)> {
+        let (outside, denominator, rest) = self.split_squares(square).ok()?;
+        rest.as_constant()?.is_one().then_some((outside, denominator))
     }
 
     fn abs(&self, a: &Element) -> Result<Element, TowerError> {

@@ -12,13 +12,17 @@ use crate::worksheet::domain::{Comparison, ComparisonOperator, Condition as Cont
 use num_rational::BigRational;
 use num_traits::Signed;
 
-/// The conditions of a domain, in order; what they say about signs goes into the builder's facts.
+/// The conditions of a domain, in order, if `terse` without those that always hold; what they say about signs goes into
+/// the builder's facts.
 ///
 /// # Errors
 /// When a side of a comparison is no rational function of the inputs.
-pub fn build(builder: &mut Builder, domain: &Domain) -> Result<Vec<RequireText>, KernelError> {
+pub fn build(builder: &mut Builder, domain: &Domain, terse: bool) -> Result<Vec<RequireText>, KernelError> {
     let mut requires = Vec::new();
     for (condition, text) in domain.conditions().zip(domain.texts()) {
+        if terse && always_holds(builder, condition, text)? {
+            continue;
+        }
         // decided before it is known to hold: a condition must not be taken for granted in its own test
         let steps = steps(builder, condition, text)?;
         requires.push(RequireText::new(steps, text));
@@ -34,6 +38,31 @@ pub fn build(builder: &mut Builder, domain: &Domain) -> Result<Vec<RequireText>,
 /// When a side of a comparison is no rational function of the inputs.
 pub fn learn_all(builder: &mut Builder, domain: &Domain) -> Result<(), KernelError> {
     domain.conditions().zip(domain.texts()).try_for_each(|(condition, text)| learn(builder, condition, text))
+}
+
+/// Whether a condition holds wherever those before it do, as far as signs tell.
+fn always_holds(builder: &mut Builder, condition: &Contracted, text: &str) -> Result<bool, KernelError> {
+    Ok(match condition {
+        Contracted::Compare(comparison) => {
+            let (polynomial, order) = normal_form(builder, comparison, text)?;
+            builder.tower.facts.sign(&polynomial).is(sign_of(order))
+        }
+        Contracted::And(parts) => {
+            let mut all = true;
+            for part in parts {
+                all = all && always_holds(builder, part, text)?;
+            }
+            all
+        }
+        Contracted::Or(parts) => {
+            let mut any = false;
+            for part in parts {
+                any = any || always_holds(builder, part, text)?;
+            }
+            any
+        }
+        Contracted::Not(_) => false,
+    })
 }
 
 fn learn(builder: &mut Builder, condition: &Contracted, text: &str) -> Result<(), KernelError> {

@@ -66,7 +66,7 @@ pub fn make(
     references: &[Definition],
 ) -> Result<KernelText, KernelError> {
     let mut builder = Builder::new(Tower::new(&kernel.inputs));
-    let requires = domain::build(&mut builder, &kernel.domain)?;
+    let requires = domain::build(&mut builder, &kernel.domain, kernel.natural_domain)?;
     let expressions: Vec<Expr> = references
         .iter()
         .map(|reference| lower(&reference.body))

@@ -245,6 +245,10 @@ impl Graph {
         match (self.op(a).clone(), self.op(b).clone()) {
             (_, Op::Neg(b)) => self.sub(a, b),
             (Op::Neg(a), _) => self.sub(b, a),
+            (_, Op::Literal(value)) if value.is_negative() => {
+                let magnitude = self.constant(&-value);
+                self.sub(a, magnitude)
+            }
             _ => {
                 let error = self.error_of_sum(a, b, self.sign(a).plus(self.sign(b)).is_definite());
                 self.push(Op::Add(a, b), self.sign(a).plus(self.sign(b)), error)

@@ -9,8 +9,8 @@ use crate::stable::builder::{Builder, Factor, Quotient};
 /// The rule.
 pub const RULE: Rule = Rule {
     name: "merge-roots",
-    statement: "sqrt(a)*sqrt(b) = sqrt(a*b), sqrt(a*b)/a = sqrt(b/a), and sqrt(r)/r = 1/sqrt(r)",
-    condition: "a and b are nonnegative; a is positive where it divides",
+    statement: "sqrt(a)*sqrt(b) = sqrt(a*b), sqrt(a*b)/a = sqrt(b/a), sqrt(a^2*b)/a^2 = sqrt(b/a^2), and sqrt(r)/r = 1/sqrt(r)",
+    condition: "a and b are nonnegative; a is positive where it divides alone",
 };
 
 /// `surd*sqrt(r)` times a quotient, with one root for all that `surd` contains as factors.
@@ -76,19 +76,20 @@ fn divide_by_radicand(inside: &Quotient, quotient: &mut Quotient) -> bool {
     true
 }
 
-/// Takes positive factors that the root shares with the denominator under the root.
+/// Takes factors that the root shares with the denominator under the root: positive ones, and squares of any.
 fn move_denominators(builder: &Builder, inside: &mut Quotient, quotient: &mut Quotient) -> bool {
     let mut moved = false;
     for (factor, power) in &mut inside.powers {
         let Factor::Polynomial(polynomial) = factor else { continue };
-        if !builder.tower.facts.sign(polynomial).is(Sign::POSITIVE) || *power != 1 {
-            continue;
-        }
-        let below =
-            quotient.powers.iter_mut().find(|(f, e)| matches!(f, Factor::Polynomial(p) if p == polynomial) && *e < 0);
-        if let Some((_, exponent)) = below {
-            *exponent += 1;
-            *power -= 2;
+        let taken = match *power {
+            1 if builder.tower.facts.sign(polynomial).is(Sign::POSITIVE) => 1,
+            2.. => 2,
+            _ => continue,
+        };
+        let held = |f: &Factor, e: i32| matches!(f, Factor::Polynomial(p) if p == polynomial) && e <= -taken;
+        if let Some((_, exponent)) = quotient.powers.iter_mut().find(|(f, e)| held(f, *e)) {
+            *exponent += taken;
+            *power -= 2 * taken;
             moved = true;
         }
     }

@@ -233,6 +233,7 @@ fn kernel(raw: raw::Kernel) -> KernelContract {
         domain: Domain::new(inputs.clone(), conditions.collect()),
         inputs,
         branch: raw.branch,
+        natural_domain: false,
         few_roundings: raw.few_roundings,
         one_division: raw.one_division,
         edges: raw.edges,

@@ -1,12 +1,16 @@
 //! Natural domains: what a formula needs by itself, where nobody has said more.
 
+mod surds;
+
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, print};
 
 use super::super::domain::{Condition, Domain};
+use surds::Decision;
 
 /// The conditions under which a formula has a real value: radicands not negative, denominators not zero.
 ///
-/// A condition whose sides are no rational functions is left out: it cannot be decided exactly.
+/// Of sums of two terms with square roots, squares decide. Any other condition whose sides are no rational functions is
+/// left out: it cannot be decided exactly.
 pub(super) fn natural_domain(body: &Expr, parameters: &[String]) -> Domain {
     let mut texts = Vec::new();
     collect(body, &mut texts);
@@ -78,7 +82,11 @@ fn not_zero(expr: &Expr, texts: &mut Vec<String>) {
 
 /// `expr operator 0`, unless it says nothing because no input occurs in it.
 fn condition(expr: &Expr, operator: &str, texts: &mut Vec<String>) {
-    let text = format!("{} {operator} 0", print(expr));
+    let text = match surds::decide(expr, operator) {
+        Some(Decision::Always) => return,
+        Some(Decision::Where(text)) => text,
+        None => format!("{} {operator} 0", print(expr)),
+    };
     if has_input(expr) && !texts.contains(&text) {
         texts.push(text);
     }
@@ -116,6 +124,21 @@ mod tests {
 
     #[test]
     fn what_cannot_be_decided_exactly_is_left_out() {
-        assert_eq!(texts("sqrt(1-sqrt(x))", &["x"]), ["x >= 0"]);
+        assert_eq!(texts("sqrt(1-sqrt(1+sqrt(x)))", &["x"]), ["x >= 0"]);
+        assert_eq!(texts("1/(sqrt(x)+sqrt(y)-sqrt(z))", &["x", "y", "z"]), ["x >= 0", "y >= 0", "z >= 0"]);
+    }
+
+    #[test]
+    fn squares_decide_about_two_roots() {
+        let last = |formula: &str| texts(formula, &["a", "b", "x"]).pop().unwrap();
+        assert_eq!(last("sqrt(1-sqrt(x))"), "1-x >= 0");
+        assert_eq!(last("sqrt(1+sqrt(x))"), "x >= 0", "always");
+        assert_eq!(last("1/(b+sqrt(a))"), "a-b^2 # 0 or b*a > 0");
+        assert_eq!(last("1/(sqrt(a)-sqrt(b))"), "a-b # 0");
+        assert_eq!(last("1/(sqrt(a)+sqrt(b))"), "a-b # 0 or a > 0");
+        assert_eq!(last("2*x/(-b-sqrt(b^2-4*a*x))"), "b^2-4*a*x-b^2 # 0 or b*(b^2-4*a*x) > 0");
+        let clauses =
+            ["-a/3 >= 0 and (a/3)^2*b-x^2 > 0", "x >= 0 and x^2-(a/3)^2*b > 0", "-a/3 > 0 and (a/3)^2*b > 0 and x > 0"];
+        assert_eq!(last("1/sqrt(x-a*sqrt(b)/3)"), clauses.join(" or "));
     }
 }

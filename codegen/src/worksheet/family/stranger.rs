@@ -194,6 +194,7 @@ fn kernel(definition: &Definition, name: String, stem: &str) -> KernelContract {
         source: format!("worksheet `{stem}`"),
         inputs: definition.parameters.clone(),
         domain: natural_domain(&definition.body, &definition.parameters),
+        natural_domain: true,
         branch: None,
         few_roundings: true,
         one_division: false,
