@@ -39,8 +39,10 @@ pub enum TowerError {
     /// More radicals than the ring has room for.
     #[error("has more than {SPARE} different square roots and named parts")]
     TooManyRadicals,
-    /// The sign of the operand of `abs` is open.
-    #[error("takes abs() of an expression whose sign the domain leaves open: add the sign to the domain")]
+    /// A condition takes a magnitude that is none of a known sign.
+    #[error(
+        "takes abs() of an expression whose sign the domain leaves open: write it with `and` or `or`, without abs()"
+    )]
     OpenAbsolute,
     /// A polynomial root inside another expression.
     #[error(
@@ -449,15 +451,27 @@ impl Tower {
         rest.as_constant()?.is_one().then_some((outside, denominator))
     }
 
-    fn abs(&self, a: &Element) -> Result<Element, TowerError> {
+    /// The magnitude: where the sign is open, the root of the square.
+    fn abs(&mut self, a: &Element) -> Result<Element, TowerError> {
         let sign = self.sign(a);
         if sign.is(Sign::NONNEGATIVE) {
             Ok(a.clone())
         } else if sign.is(Sign::NONPOSITIVE) {
             Ok(self.negate(a))
         } else {
-            Err(TowerError::OpenAbsolute)
+            let above = self.sqrt(&self.element(&self.reduce(&a.numerator.power(2))))?;
+            let below = self.sqrt(&self.element(&a.denominator.power(2)))?;
+            self.multiply(&above, &self.reciprocal(&below)?)
         }
+    }
+
+    /// What a radical is the magnitude of, if it is the root of a square.
+    #[must_use]
+    pub fn magnitude_of(&self, radical: &Radical) -> Option<Polynomial> {
+        let factors = radical.radicand.factors();
+        let even = factors.powers.iter().all(|(_, power)| power % 2 == 0);
+        let root = factors.powers.iter().fold(self.ring.integer(1), |p, (f, power)| p.times(&f.power(power / 2)));
+        (even && factors.constant.is_one() && self.top_radical(&radical.radicand).is_none()).then_some(root)
     }
 
     /// The sign of an element on the domain.

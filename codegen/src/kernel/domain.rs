@@ -131,6 +131,9 @@ fn normal_form(builder: &mut Builder, comparison: &Comparison, text: &str) -> Re
     let left = lower(&comparison.lhs).map_err(KernelError::Lower)?;
     let right = lower(&comparison.rhs).map_err(KernelError::Lower)?;
     let difference = builder.tower.canonical(&left.minus(right)).map_err(failed)?;
+    if builder.tower.top_radical(&difference.numerator).is_some() {
+        return Err(failed(TowerError::OpenAbsolute));
+    }
     let factors = difference.numerator.times(&difference.denominator).factors();
     let mut order = order_of(comparison.operator);
     if factors.constant.is_negative() {

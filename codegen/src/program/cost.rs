@@ -39,7 +39,7 @@ fn visit(graph: &Graph, node: Node, seen: &mut BTreeSet<Node>, cost: &mut Cost) 
         Op::Div(..) => cost.divisions += 1,
         Op::Sqrt(_) => cost.roots += 1,
         Op::Compensated(wide) | Op::Residual(wide) => cost.wide += operations(wide),
-        Op::Input(_) | Op::Literal(_) | Op::Pi | Op::Neg(_) | Op::If(..) => {}
+        Op::Input(_) | Op::Literal(_) | Op::Pi | Op::Neg(_) | Op::Abs(_) | Op::If(..) => {}
         Op::Max(_) | Op::Min(_) | Op::PositiveRoot(_) => {}
     }
     for operand in graph.operands(node) {

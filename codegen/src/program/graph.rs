@@ -89,6 +89,8 @@ pub enum Op {
     Div(Node, Node),
     /// The square root.
     Sqrt(Node),
+    /// The magnitude.
+    Abs(Node),
     /// One of two values.
     If(Condition, Node, Node),
     /// The largest of some values.
@@ -334,6 +336,15 @@ impl Graph {
         self.push(Op::Sqrt(a), sign, error)
     }
 
+    /// The magnitude, without a step where the sign is known.
+    pub fn abs(&mut self, a: Node) -> Node {
+        match self.sign(a) {
+            sign if sign.is(Sign::NONNEGATIVE) => a,
+            sign if sign.is(Sign::NONPOSITIVE) => self.neg(a),
+            sign => self.push(Op::Abs(a), sign.power(2), self.error(a)),
+        }
+    }
+
     /// One of two values.
     pub fn select(&mut self, condition: Condition, then: Node, otherwise: Node) -> Node {
         if then == otherwise {
@@ -398,7 +409,7 @@ impl Graph {
     pub fn operands(&self, node: Node) -> Vec<Node> {
         match self.op(node) {
             Op::Input(_) | Op::Literal(_) | Op::Pi => Vec::new(),
-            Op::Neg(a) | Op::Sqrt(a) => vec![*a],
+            Op::Neg(a) | Op::Sqrt(a) | Op::Abs(a) => vec![*a],
             Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => vec![*a, *b],
             Op::If(condition, a, b) => {
                 let mut nodes = condition.nodes();

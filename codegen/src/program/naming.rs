@@ -83,6 +83,7 @@ fn stem(graph: &Graph, node: Node) -> &'static str {
         Op::Mul(..) => "product",
         Op::Div(..) => "quotient",
         Op::Sqrt(_) => "root",
+        Op::Abs(_) => "magnitude",
         Op::If(..) => "chosen",
         Op::Compensated(_) if graph.rules(node).contains(&"gathered") => "polynomial",
         Op::Compensated(_) => "cancelling",

@@ -153,6 +153,7 @@ impl<'g> Printer<'g> {
             Op::Mul(a, b) => chain(PRODUCT, self.text(*a), "*", &self.text(*b)),
             Op::Div(a, b) => chain(PRODUCT, self.text(*a), "/", &self.text(*b)),
             Op::Sqrt(a) => Text::atom(format!("sqrt({})", self.text(*a).flat())),
+            Op::Abs(a) => Text::atom(format!("abs({})", self.text(*a).flat())),
             Op::If(condition, a, b) => Text::atom(self.flat_choice(condition, *a, *b)),
             Op::Compensated(wide) => Text::atom(format!("compensated!({})", self.wide(wide).flat())),
             Op::Residual(wide) => Text::atom(format!("residual!({})", self.wide(wide).flat())),

@@ -142,8 +142,16 @@ impl Builder {
         }
         let radical = self.tower.radicals().iter().find(|r| r.var == var).cloned();
         let radical = radical.ok_or(TowerError::TooManyRadicals)?;
-        let inside = self.radicand(&radical)?;
-        let node = self.graph.sqrt(inside);
+        let node = match self.tower.magnitude_of(&radical) {
+            Some(inside) => {
+                let inside = self.polynomial(&inside)?;
+                self.graph.abs(inside)
+            }
+            None => {
+                let inside = self.radicand(&radical)?;
+                self.graph.sqrt(inside)
+            }
+        };
         self.stand_ins.insert(var, node);
         Ok(node)
     }
@@ -180,8 +188,12 @@ impl Builder {
         let primitive = polynomial.divided_by(&content).unwrap_or(polynomial);
         quotient.constant *= rational_content;
         quotient.multiply(&content, 1);
-        let (rational, surd) = parts(&primitive, radical.var);
-        if rational.is_zero() {
+        let radicals = self.tower.radicals().iter().rev();
+        let mut common = radicals.filter_map(|radical| {
+            let (rational, surd) = parts(&primitive, radical.var);
+            (rational.is_zero() && !surd.is_zero()).then(|| (radical.clone(), surd))
+        });
+        if let Some((radical, surd)) = common.next() {
             return rules::merge_roots::apply(self, &surd, &radical, quotient);
         }
         rules::conjugate::apply(self, &primitive, &radical, quotient)

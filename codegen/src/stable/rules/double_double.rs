@@ -51,7 +51,7 @@ fn error_of_step(graph: &Graph, node: Node, known: &mut HashMap<Node, f64>) -> f
         // a constant that no double holds
         Op::Input(_) | Op::Literal(_) => graph.error(node),
         Op::Pi => STEP,
-        Op::Neg(a) => of(*a),
+        Op::Neg(a) | Op::Abs(a) => of(*a),
         // the sum of what `f64` adds without cancellation does not cancel here either
         Op::Add(a, b) | Op::Sub(a, b) => of(*a).max(of(*b)) + STEP,
         Op::Mul(a, b) | Op::Div(a, b) => of(*a) + of(*b) + STEP,

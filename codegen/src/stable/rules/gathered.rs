@@ -68,6 +68,10 @@ fn in_parts(builder: &mut Builder, node: Node, known: &mut HashMap<Node, Node>) 
             let a = gathered(builder, a, known);
             builder.graph.sqrt(a)
         }
+        Op::Abs(a) => {
+            let a = gathered(builder, a, known);
+            builder.graph.abs(a)
+        }
         Op::Add(a, b) => {
             let [a, b] = terms(builder, [a, b], known);
             let sum = builder.graph.add(a, b);

@@ -26,9 +26,11 @@ pub fn apply(
     let mut inside = Quotient::one();
     let mut rest = surd.clone();
     let mut next = Some(radical.clone());
-    let mut merged = Vec::new();
+    let (mut merged, mut magnitudes) = (Vec::new(), Vec::new());
     while let Some(root) = next {
-        if builder.tower.top_radical(&root.radicand).is_some() {
+        if let Some(magnitude) = builder.tower.magnitude_of(&root) {
+            magnitudes.push((root, magnitude));
+        } else if builder.tower.top_radical(&root.radicand).is_some() {
             let node = builder.variable(root.var)?;
             quotient.multiply_node(node, 1);
         } else {
@@ -44,6 +46,19 @@ pub fn apply(
             rest = surd;
         }
     }
+    for (radical, magnitude) in magnitudes {
+        let (shared, below) = (holds(&inside, &magnitude, 1), holds(&quotient, &magnitude, -2));
+        if shared && below {
+            inside.multiply(&radical.radicand, 1);
+            merged.push(radical.var);
+            continue;
+        }
+        let node = builder.variable(radical.var)?;
+        quotient.multiply_node(node, if below { -1 } else { 1 });
+        if below {
+            quotient.multiply(&radical.radicand, 1);
+        }
+    }
     let below = divide_by_radicand(&inside, &mut quotient);
     let moved = below || move_denominators(builder, &mut inside, &mut quotient);
     if let ([var], false) = (merged.as_slice(), moved) {
@@ -56,6 +71,18 @@ pub fn apply(
         quotient.multiply_node(root, if below { -1 } else { 1 });
     }
     builder.surd(&rest, quotient)
+}
+
+/// Whether a quotient has this power of a polynomial, or one that is farther from zero.
+fn holds(quotient: &Quotient, polynomial: &Polynomial, power: i32) -> bool {
+    let held = |factor: &Polynomial, wanted: i32| {
+        quotient.powers.iter().any(|(f, e)| {
+            matches!(f, Factor::Polynomial(p) if p == factor)
+                && e.signum() == wanted.signum()
+                && e.abs() >= wanted.abs()
+        })
+    };
+    polynomial.factors().powers.iter().all(|(factor, times)| held(factor, power * *times as i32))
 }
 
 /// Takes a whole radicand out of the denominator, if it is there: `sqrt(r)/r` is `1/sqrt(r)`.

@@ -36,7 +36,9 @@ fn collect(expr: &Expr, texts: &mut Vec<String>) {
         ExprKind::Call { arguments, .. } => match expr.as_call() {
             Some(("sqrt", [radicand])) => {
                 collect(radicand, texts);
-                condition(radicand, ">=", texts);
+                if !matches!(radicand.as_call(), Some(("abs", _))) {
+                    condition(radicand, ">=", texts);
+                }
             }
             // the unknown of a polynomial root is no input
             Some(("positive_root", _)) => {}
@@ -74,6 +76,7 @@ fn not_zero(expr: &Expr, texts: &mut Vec<String>) {
         }
         ExprKind::Call { .. } => match expr.as_call() {
             Some(("sqrt", [radicand])) => condition(radicand, ">", texts),
+            Some(("abs", [inner])) => not_zero(inner, texts),
             _ => condition(expr, "#", texts),
         },
         _ => condition(expr, "#", texts),
@@ -135,6 +138,8 @@ mod tests {
         assert_eq!(last("sqrt(1+sqrt(x))"), "x >= 0", "always");
         assert_eq!(last("1/(b+sqrt(a))"), "a-b^2 # 0 or b*a > 0");
         assert_eq!(last("1/(sqrt(a)-sqrt(b))"), "a-b # 0");
+        assert_eq!(last("1/(1-abs(a))"), "a^2-1 # 0");
+        assert_eq!(last("1/(1+abs(a))+b/x"), "x # 0", "always");
         assert_eq!(last("1/(sqrt(a)+sqrt(b))"), "a-b # 0 or a > 0");
         assert_eq!(last("2*x/(-b-sqrt(b^2-4*a*x))"), "b^2-4*a*x-b^2 # 0 or b*(b^2-4*a*x) > 0");
         let clauses =

@@ -1,4 +1,4 @@
-//! Surds: sums of two terms with square roots, whose sign squares decide.
+//! Surds: sums of two terms with square roots or magnitudes, whose sign squares decide.
 //!
 //! With terms s and t of known squares: s + t vanishes where s^2 = t^2, unless both have one sign and are not zero; and
 //! s + t >= 0 where s >= 0 and s^2 >= t^2, or t >= 0 and t^2 >= s^2.
@@ -160,6 +160,13 @@ impl Term {
                     // sqrt(r) is r/sqrt(r) upside down
                     if below {
                         self.factors.push((radicand.clone(), true));
+                    }
+                    Some(())
+                }
+                (Some(("abs", [inner])), None) if !has_root(inner) => {
+                    self.radicand = Some(parse_expression(&format!("({})^2", print(inner))).ok()?);
+                    if below {
+                        self.factors.extend([(inner.clone(), true), (inner.clone(), true)]);
                     }
                     Some(())
                 }
