@@ -168,6 +168,39 @@ fn a_worksheet_of_ones_own_becomes_a_crate_that_passes_its_judges() {
 }
 
 #[test]
+fn a_contract_of_a_domain_alone_keeps_two_ulp() {
+    let _turn = turn();
+    let folder = tempfile::tempdir().unwrap();
+    let (worksheet, out) = (folder.path().join("my.mac"), folder.path().join("mine"));
+    fs::write(&worksheet, "sum(u,v,c) := (u+v)/(1+u*v/c^2)$").unwrap();
+    let contract = r#"
+        [family]
+        title = "Velocities"
+        [inputs]
+        u = { name = "u", unit = "m/s" }
+        v = { name = "v", unit = "m/s" }
+        c = { name = "c", unit = "m/s" }
+        [[kernel]]
+        name = "sum"
+        doc = "Sum of two velocities."
+        inputs = ["u", "v", "c"]
+        domain = ["c > 0", "abs(u) < c", "c > abs(v)"]
+        [[kernel.result]]
+        name = "sum"
+        worksheet = "sum"
+        unit = "m/s"
+    "#;
+    fs::write(worksheet.with_extension("toml"), contract).unwrap();
+    let arguments = ["generate", "--input", worksheet.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    succeeds(&repository(), &arguments);
+    let catalogue = Catalogue::open(&out).unwrap();
+    let sum = &catalogue.find("sum").unwrap().kernel;
+    assert_eq!(sum.meta.results[0].bound, Some(0.51));
+    assert!(succeeds(&out, &["eval", "sum", "u=0.75", "v=0.75", "c=1"]).contains("0.96"));
+    assert!(fails(&out, &["eval", "sum", "u=0.75", "v=-1", "c=1"]).contains("c > abs(v)"));
+}
+
+#[test]
 fn the_readme_shows_an_evaluation_that_works() {
     let readme = fs::read_to_string(repository().join("README.md")).unwrap();
     let (_, command) = readme.split_once("`cargo run -p closedform-codegen -- eval ").unwrap();

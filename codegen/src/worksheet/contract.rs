@@ -67,7 +67,7 @@ pub struct KernelContract {
     pub natural_domain: bool,
     /// Which of several solutions this is.
     pub branch: Option<String>,
-    /// Whether digits go before time wherever polynomials of the inputs are rounded more than once.
+    /// Whether digits go before time: no result is to be off by more than 2 ulp.
     pub few_roundings: bool,
     /// Whether its quotients are to share one division.
     pub one_division: bool,

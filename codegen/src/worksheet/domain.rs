@@ -2,6 +2,7 @@
 
 mod condition;
 mod exact;
+mod magnitude;
 
 use rug::Rational;
 

@@ -203,10 +203,12 @@ impl Checker<'_> {
     }
 
     fn contract(&self, raw: raw::Contract) -> Contract {
+        let few_roundings = raw.family.few_roundings;
+        let kernels = raw.kernel.into_iter().map(|kernel| self::kernel(kernel.into_inner(), few_roundings));
         Contract {
             family: FamilyInfo { title: raw.family.title.into_inner(), source: raw.family.source },
             inputs: raw.inputs.into_iter().map(|(name, input)| (name.into_inner(), self::input(input))).collect(),
-            kernels: raw.kernel.into_iter().map(|kernel| self::kernel(kernel.into_inner())).collect(),
+            kernels: kernels.collect(),
         }
     }
 }
@@ -220,7 +222,7 @@ fn input(raw: raw::Input) -> Input {
     }
 }
 
-fn kernel(raw: raw::Kernel) -> KernelContract {
+fn kernel(raw: raw::Kernel, few_roundings: bool) -> KernelContract {
     let inputs = maxima_names(&raw);
     let conditions = raw.domain.iter().filter_map(|text| {
         let condition = Condition::parse(text.get_ref(), &inputs).ok()?;
@@ -234,7 +236,7 @@ fn kernel(raw: raw::Kernel) -> KernelContract {
         inputs,
         branch: raw.branch,
         natural_domain: false,
-        few_roundings: raw.few_roundings,
+        few_roundings: raw.few_roundings.unwrap_or(few_roundings),
         one_division: raw.one_division,
         edges: raw.edges,
         returns: raw.returns.map(Spanned::into_inner),

@@ -21,6 +21,12 @@ pub(super) struct Family {
     pub(super) title: Spanned<String>,
     #[serde(default)]
     pub(super) source: String,
+    #[serde(default = "yes")]
+    pub(super) few_roundings: bool,
+}
+
+fn yes() -> bool {
+    true
 }
 
 #[derive(Deserialize)]
@@ -44,8 +50,7 @@ pub(super) struct Kernel {
     #[serde(default)]
     pub(super) domain: Vec<Spanned<String>>,
     pub(super) branch: Option<String>,
-    #[serde(default)]
-    pub(super) few_roundings: bool,
+    pub(super) few_roundings: Option<bool>,
     #[serde(default)]
     pub(super) one_division: bool,
     pub(super) edges: Option<String>,

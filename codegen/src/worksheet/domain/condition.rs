@@ -8,6 +8,7 @@ use rug::{Integer, Rational};
 use thiserror::Error;
 
 use super::exact::Exact;
+use super::magnitude;
 
 /// The largest power a condition may contain; exact arithmetic would never finish beyond.
 const MAX_POWER: i32 = 64;
@@ -133,12 +134,15 @@ impl Condition {
             ExprKind::Binary { operator: BinaryOperator::And, left, right } => Ok(Self::And(both(left, right)?)),
             ExprKind::Binary { operator: BinaryOperator::Or, left, right } => Ok(Self::Or(both(left, right)?)),
             ExprKind::Binary { operator, left, right } => match ComparisonOperator::of(*operator) {
-                Some(operator) => Ok(Self::Compare(Comparison {
-                    operator,
-                    lhs: (**left).clone(),
-                    rhs: (**right).clone(),
-                    difference: rational(left, variables)?.minus(rational(right, variables)?),
-                })),
+                Some(comparison) => match magnitude::without_one(*operator, left, right) {
+                    Some(without) => Self::from_expression(&without, variables),
+                    None => Ok(Self::Compare(Comparison {
+                        operator: comparison,
+                        lhs: (**left).clone(),
+                        rhs: (**right).clone(),
+                        difference: rational(left, variables)?.minus(rational(right, variables)?),
+                    })),
+                },
                 None => Err(ConditionError::NotComparison { span: expression.span.clone() }),
             },
             ExprKind::Unary { operator: UnaryOperator::Not, operand } => {
@@ -225,10 +229,6 @@ fn rational(expression: &Expr, variables: &[String]) -> Result<Exact, ConditionE
         ExprKind::Binary { operator, left, right } => {
             binary(*operator, rational(left, variables)?, rational(right, variables)?).ok_or_else(not_rational)
         }
-        ExprKind::Call { .. } => match expression.as_call() {
-            Some(("abs", [argument])) => Ok(Exact::Abs(Box::new(rational(argument, variables)?))),
-            _ => Err(not_rational()),
-        },
         _ => Err(not_rational()),
     }
 }

@@ -11,7 +11,6 @@ pub(super) enum Exact {
     Sum(Vec<Exact>),
     Product(Vec<Exact>),
     Power(Box<Exact>, i32),
-    Abs(Box<Exact>),
 }
 
 impl Exact {
@@ -35,7 +34,6 @@ impl Exact {
                 all(factors, point)?.into_iter().fold(Rational::from(1), |product, factor| product * factor)
             }
             Self::Power(base, exponent) => power(base.at(point)?, *exponent)?,
-            Self::Abs(argument) => argument.at(point)?.abs(),
         })
     }
 
@@ -45,7 +43,7 @@ impl Exact {
             Self::Number(_) => false,
             Self::Variable(index) => *index == variable,
             Self::Sum(parts) | Self::Product(parts) => parts.iter().any(|part| part.uses(variable)),
-            Self::Power(part, _) | Self::Abs(part) => part.uses(variable),
+            Self::Power(part, _) => part.uses(variable),
         }
     }
 }
