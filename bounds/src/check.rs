@@ -23,7 +23,7 @@ pub struct ResultBound {
 }
 
 /// The bounds of a kernel's results, derived from its text and equal to those stated: not smaller, and larger by their
-/// rounding up at most.
+/// rounding up at most. Its domain must be decided without rounding errors.
 ///
 /// # Errors
 /// One refusal for every result whose bound cannot be derived or is not the one stated.
@@ -31,7 +31,7 @@ pub fn check(kernel: &Kernel) -> Result<Vec<ResultBound>, Vec<Refusal>> {
     let counter = Counter::new(kernel);
     let cases = counter.domain();
     let mut bounds = Vec::new();
-    let mut refusals = Vec::new();
+    let mut refusals = counter.undecided();
     for (value, meta) in kernel.output.values().zip(&kernel.meta.results) {
         let result = meta.name.to_string();
         let counts = cases.iter().map(|case| counter.count(value, case, &result));
@@ -177,6 +177,19 @@ mod tests {
         assert!(needs("require!(x * x > y * y);").is_err(), "rounding may turn it");
         assert!(needs("require!(x >= y || z > x);").is_err());
         assert!(needs("require!(x >= 0.5 * y);").is_err());
+    }
+
+    #[test]
+    fn no_rounding_decides_about_the_domain() {
+        let decided = |condition: &str| bound(&format!("require!({condition});"), "x").map(|_| ());
+        for condition in ["x >= 3.0 * y - 2.0 * y", "x * x > y * y", "x - y > z", "x > 0.0 || y * z > 1.0"] {
+            assert!(decided(condition).unwrap_err().contains("rounding may turn"), "{condition}");
+        }
+        for condition in ["x >= 2.0 * y", "x - y > 0.0", "x * y > 0.0 && !(x * x + y * y == 0.0)", "sqrt(x) != 0.0"] {
+            assert_eq!(decided(condition), Ok(()), "{condition}");
+        }
+        assert!(bound("require!(x > 0.0); require!(x * y - y > 0.0);", "x").is_err());
+        assert_eq!(bound("require!(x > 0.0); require!(compensated!(x * y - y) > 0.0);", "x"), Ok(0.0));
     }
 
     #[test]

@@ -8,7 +8,7 @@ use crate::refusal::{Reason, Refusal};
 use crate::sign::Sign;
 use crate::text::text;
 use crate::trusted;
-use closedform_syntax::{BinaryOp, Condition, Expr, Kernel, Precision};
+use closedform_syntax::{BinaryOp, Condition, Expr, Kernel, Precision, condition_text};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -61,6 +61,25 @@ impl<'k> Counter<'k> {
 
     pub(crate) fn refuse<T>(&self, step: &str, reason: Reason) -> Result<T, Refusal> {
         Err(Refusal { kernel: self.kernel.name.to_string(), step: step.to_owned(), reason })
+    }
+
+    /// The comparisons of the domain that rounding may turn.
+    pub fn undecided(&self) -> Vec<Refusal> {
+        let mut cases = vec![Case::default()];
+        let mut refusals = Vec::new();
+        for require in &self.kernel.requires {
+            let open = comparisons(&require.condition)
+                .into_iter()
+                .filter(|comparison| !cases.iter().all(|case| self.decided(comparison, case).is_some()));
+            refusals.extend(open.map(|comparison| Refusal {
+                kernel: self.kernel.name.to_string(),
+                step: "require!".to_owned(),
+                reason: Reason::Undecided(condition_text(comparison)),
+            }));
+            let split: Vec<Case> = cases.iter().flat_map(|case| self.cases(&require.condition, true, case)).collect();
+            cases = if split.len() > CASES { cases } else { split };
+        }
+        refusals
     }
 
     /// The cases of the whole domain.
@@ -265,6 +284,15 @@ impl<'k> Counter<'k> {
             }
             Meaning::Opaque(_) => Sign::ANY,
         }
+    }
+}
+
+/// Every comparison in a condition.
+fn comparisons(condition: &Condition) -> Vec<&Condition> {
+    match condition {
+        Condition::Compare { .. } => vec![condition],
+        Condition::And(left, right) | Condition::Or(left, right) => [comparisons(left), comparisons(right)].concat(),
+        Condition::Not(inner) => comparisons(inner),
     }
 }
 

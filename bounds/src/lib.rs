@@ -10,6 +10,8 @@
 //! the larger one. What remains is to read it as a relative error: it is at most k u/(1 - k u), k units for all that can
 //! be printed. The number that a kernel states is that in ulp, of which k units are at most k.
 //!
+//! So is the domain decided: no comparison in a `require!` may be turned by rounding.
+//!
 //! A kernel in double-double is counted alike: its steps add next to nothing, and rounding its result adds 1.
 //!
 //! **What is taken on trust.** The numbers in [`trusted`]: what the runtime promises of `compensated!`, `residual!`,

@@ -32,6 +32,8 @@ pub enum Reason {
         /// The operand.
         operand: String,
     },
+    /// A comparison that decides about the domain, and that rounding may turn.
+    Undecided(String),
     /// A `residual!` that corrects no root.
     Residual(String),
     /// A root's correction that is none, or not shown to be right.
@@ -85,6 +87,10 @@ impl fmt::Display for Reason {
             Self::Rounded { slice, operand } => write!(
                 f,
                 "`{slice}` takes `{operand}` for exact, which is rounded; write it out in inputs and literals"
+            ),
+            Self::Undecided(comparison) => write!(
+                f,
+                "rounding may turn `{comparison}`: compare exact numbers, or write `compensated!(..)` and compare it with 0"
             ),
             Self::Residual(residual) => write!(
                 f,

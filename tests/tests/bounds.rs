@@ -48,6 +48,9 @@ fn wrong_bounds_are_refused() {
         ("turnaround", "ramp_in", "v2_in = 0.5", "v2_in = 0.4", &["`v2_in`", "0.5 ulp is what"]),
         ("waypoints", "linear", "c01 = 2.0", "c01 = 1.0", &["`c01`", "2 ulp is what"]),
         ("optimum", "quartic", "bound = 0.51", "bound = 0.5", &["0.51 ulp is what"]),
+        ("overhead", "t_edge", "bound = 0.51", "bound = 0.5", &["0.51 ulp is what"]),
+        ("overhead", "t_edge", "precision = \"double-double\"", "precision = \"double\"", &["stated as 0.51 ulp"]),
+        ("turnaround", "t_in", "bound = 4.51", "precision = \"double-double\", bound = 4.51", &["0.51 ulp"]),
     ]);
 }
 
@@ -62,12 +65,12 @@ fn sums_that_may_cancel_are_refused() {
             "(root - polynomial2",
             &["`t_in`", CANCELS, "the right one not positive"],
         ),
-        ("turnaround", "outer_ramp", "polynomial7 * root + ", "polynomial7 * root - ", &["`k`", CANCELS]),
+        ("turnaround", "outer_ramp", "= root + 3.0", "= root - 3.0", &["`sum2`", CANCELS]),
         ("milling_time", "direction", "x * x + ", "x * y + ", &["`root`", CANCELS, "open"]),
         ("milling_time", "cut_speed", "+ 4.0 * length", "- 4.0 * length", &["`root`", CANCELS]),
         ("step_move", "continuous_move", "5.0 * root + ko", "5.0 * root - ko", &["`sum`", CANCELS]),
-        ("step_move", "continuous_move", "product + cancelling5", "product - cancelling5", &["`kx1`", CANCELS]),
-        ("overhead", "step_limited", "polynomial2 * root + ", "polynomial2 * root - ", &["`t_ovr_hd`", CANCELS]),
+        ("step_move", "continuous_move", "product2 + cancelling8", "product2 - cancelling8", &["`kx1`", CANCELS]),
+        ("overhead", "step_limited", "product2 * root + ", "product2 * root - ", &["`t_ovr_hd`", CANCELS]),
     ]);
 }
 
@@ -81,7 +84,14 @@ fn dropped_compensation_is_refused() {
             "let cancelling = (",
             &["`cancelling`", "may cancel"],
         ),
-        ("turnaround", "outer_ramp", "polynomial3 / sum", "compensated!(a0 * sum)", &["`v0`", "takes `sum` for exact"]),
+        (
+            "overhead",
+            "step_limited",
+            "require!(compensated!(3.0 * delta - t_in * t_in)",
+            "require!((3.0 * delta - t_in * t_in)",
+            &["`require!`", "rounding may turn"],
+        ),
+        ("turnaround", "outer_ramp", "a0 / sum2", "compensated!(a0 * sum2)", &["`v0`", "takes `sum2` for exact"]),
     ]);
 }
 
@@ -95,17 +105,11 @@ fn dropped_conditions_are_refused() {
             "require!(t_edge_total <= 0.0",
             &["`t_in`", "may cancel"],
         ),
-        (
-            "overhead",
-            "step_limited",
-            "require!(v1_scan > v1_diff, \"v1Scan > v1Diff\");",
-            "",
-            &["`t_ovr_hd`", "may cancel"],
-        ),
+        ("overhead", "step_limited", "require!(v1_scan > v1_diff, \"v1Scan > v1Diff\");", "", &["`sum`", "may cancel"]),
         ("step_move", "continuous_move", "require!(ko > 0.0, \"Ko > 0\");", "", &["`sum`", "may cancel"]),
         ("milling_time", "step_speed", "if u >= 0.0", "if u <= 0.0", &["`step_speed`", "root + u", "may cancel"]),
         ("milling_time", "step_speed", "if u >= 0.0", "if a >= 0.0", &["`step_speed`", "root + u", "may cancel"]),
-        ("pvt", "arrival_first", "difference >= 0.0) ||", "difference <= 0.0) ||", &["`a1`", "may cancel"]),
+        ("pvt", "arrival_first", "difference2 >= 0.0) ||", "difference2 <= 0.0) ||", &["`a1`", "may cancel"]),
     ]);
 }
 

@@ -12,6 +12,7 @@ use crate::program::{Node, name_steps};
 use crate::rust::{InputDoc, KernelText, RequireText, ResultText};
 use crate::stable::builder::Builder;
 use crate::stable::rules::falling_newton::{self, RootError};
+use crate::stable::rules::one_reciprocal::Products;
 use crate::stable::rules::{double_double, gathered, one_reciprocal};
 use crate::stable::stabilise;
 use crate::worksheet::contract::{Contract, KernelContract};
@@ -73,10 +74,7 @@ pub fn make(
         .collect::<Result<_, _>>()
         .map_err(KernelError::Lower)?;
     let outputs = outputs(&mut builder, &expressions, references)?;
-    let (mut outputs, precision) = with_few_roundings(&mut builder, outputs, kernel.few_roundings);
-    if kernel.one_division {
-        outputs = one_reciprocal::apply(&mut builder, &outputs);
-    }
+    let (outputs, precision) = with_few_roundings(&mut builder, &outputs, kernel);
     let results = results(&builder, kernel, &outputs, precision)?;
     let inputs: Vec<InputDoc> = contract
         .inputs_of(kernel)
@@ -147,17 +145,28 @@ fn outputs(builder: &mut Builder, expressions: &[Expr], references: &[Definition
     Ok(expressions.iter().filter_map(&mut joined).collect())
 }
 
-/// The outputs with roundings as few as they should be: as they are, by slices, or in double-double.
-fn with_few_roundings(builder: &mut Builder, outputs: Vec<Node>, wanted: bool) -> (Vec<Node>, Precision) {
+/// The outputs with roundings as few as they should be: by slices where plain steps have too many, or in double-double.
+fn with_few_roundings(builder: &mut Builder, outputs: &[Node], kernel: &KernelContract) -> (Vec<Node>, Precision) {
+    let unused = builder.used_rules().clone();
+    let gathered = gathered::apply(builder, outputs, kernel.few_roundings);
+    let gathered = with_one_division(builder, gathered, kernel, Products::Slices);
     let used = builder.used_rules().clone();
-    let gathered = gathered::apply(builder, &outputs, wanted);
-    let used_by_slices = builder.used_rules().clone();
-    builder.reset_rules(used);
-    if wanted && double_double::apply(builder, &outputs, &gathered) {
-        return (outputs, Precision::DoubleDouble);
+    builder.reset_rules(unused);
+    let plain = with_one_division(builder, outputs.to_vec(), kernel, Products::Steps);
+    if double_double::apply(builder, &plain, &gathered, kernel.few_roundings) {
+        return (plain, Precision::DoubleDouble);
     }
-    builder.reset_rules(used_by_slices);
+    builder.reset_rules(used);
     (gathered, Precision::Double)
+}
+
+fn with_one_division(
+    builder: &mut Builder,
+    outputs: Vec<Node>,
+    kernel: &KernelContract,
+    products: Products,
+) -> Vec<Node> {
+    if kernel.one_division { one_reciprocal::apply(builder, &outputs, products) } else { outputs }
 }
 
 /// The closed forms that a result chooses from, mostly one.

@@ -1,4 +1,4 @@
-//! Slices of products: the order of their factors, and how large they may be.
+//! Products of polynomials: as a slice, whose factors have an order and whose size a limit, or in steps.
 
 use crate::field::Sign;
 use crate::program::{Graph, Node, Wide, is_exact};
@@ -32,6 +32,45 @@ pub fn in_order(graph: &mut Graph, wide: Wide, sign: Sign) -> (Node, Node) {
         None => graph.compensated(product, if negative { -sign } else { sign }),
     };
     (slice, if negative { graph.neg(slice) } else { slice })
+}
+
+/// The product in steps: each factor in steps of its own where they do not cancel, and as a slice where they may.
+pub fn in_steps(graph: &mut Graph, wide: Wide, sign: Sign) -> Node {
+    let (mut negative, mut factors) = (false, Vec::new());
+    split(wide, &mut negative, &mut factors);
+    let factors: Vec<Node> = factors.into_iter().map(|factor| factor_in_steps(graph, factor)).collect();
+    let product = factors.into_iter().reduce(|a, b| graph.mul(a, b));
+    let product = product.unwrap_or_else(|| graph.constant(&BigRational::one()));
+    graph.learn(product, if negative { -sign } else { sign });
+    if negative { graph.neg(product) } else { product }
+}
+
+fn factor_in_steps(graph: &mut Graph, factor: Wide) -> Node {
+    let plain = steps(graph, &factor);
+    if graph.error(plain).is_finite() { plain } else { graph.compensated(factor, Sign::ANY) }
+}
+
+fn steps(graph: &mut Graph, wide: &Wide) -> Node {
+    let mut both = |a: &Wide, b: &Wide| (steps(graph, a), steps(graph, b));
+    match wide {
+        Wide::Leaf(node) => *node,
+        Wide::Neg(a) => {
+            let a = steps(graph, a);
+            graph.neg(a)
+        }
+        Wide::Add(a, b) => {
+            let (a, b) = both(a, b);
+            graph.add(a, b)
+        }
+        Wide::Sub(a, b) => {
+            let (a, b) = both(a, b);
+            graph.sub(a, b)
+        }
+        Wide::Mul(a, b) => {
+            let (a, b) = both(a, b);
+            graph.mul(a, b)
+        }
+    }
 }
 
 fn two_leaves(wide: &Wide) -> Option<(Node, Node)> {

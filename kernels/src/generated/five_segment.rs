@@ -57,11 +57,11 @@ pub struct ByAccelerations {
 ///
 /// # Error
 ///
-/// - `t0`: at most 2.01 ulp, barring overflow and underflow
-/// - `ko`: at most 6.51 ulp, barring overflow and underflow
-/// - `t2`: at most 13.01 ulp, barring overflow and underflow
-/// - `v0`: at most 1.51 ulp, barring overflow and underflow
-/// - `v1`: at most 4.51 ulp, barring overflow and underflow
+/// - `t0`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `ko`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `t2`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `v0`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `v1`: at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 3 s5ST[1].
 #[kernel(
@@ -69,8 +69,9 @@ pub struct ByAccelerations {
     maxima = "s5ST_t0(DeltaX,Ki,a0,a1,t1):=sqrt(3)*sqrt(DeltaX*Ki*a0)/a0\ns5ST_Ko(DeltaX,Ki,a0,a1,t1):=((a1+2*a0)*t1^2+3^(3/2)*sqrt(DeltaX*Ki*a0)*t1)/(3*DeltaX)+Ki\ns5ST_t2(DeltaX,Ki,a0,a1,t1):=12*DeltaX*(-((a1+2*a0)*t1^2+3^(3/2)*sqrt(DeltaX*Ki*a0)*t1)/(3*DeltaX)-Ki+1)/(sqrt(9*((a1+a0)*t1+sqrt(3)*sqrt(DeltaX*Ki*a0))^2+24*DeltaX*a1*(-((a1+2*a0)*t1^2+3^(3/2)*sqrt(DeltaX*Ki*a0)*t1)/(3*DeltaX)-Ki+1))+3*((a1+a0)*t1+sqrt(3)*sqrt(DeltaX*Ki*a0)))\ns5ST_v0(DeltaX,Ki,a0,a1,t1):=sqrt(3)*sqrt(DeltaX*Ki*a0)/2\ns5ST_v1(DeltaX,Ki,a0,a1,t1):=((a1+a0)*t1+sqrt(3)*sqrt(DeltaX*Ki*a0))/2",
     latex = "s_{5,\\mathrm{ST},t,0} = \\frac{\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}}{a_{0}} \\\\ s_{5,\\mathrm{ST},\\mathrm{Ko}} = \\frac{\\left(a_{1}+2\\,a_{0}\\right)\\,t_{1}^{2}+3^{\\frac{3}{2}}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\,t_{1}}{3\\,\\Delta_{X}}+\\mathrm{Ki} \\\\ s_{5,\\mathrm{ST},t,2} = \\frac{12\\,\\Delta_{X}\\,\\left(\\frac{-\\left(\\left(a_{1}+2\\,a_{0}\\right)\\,t_{1}^{2}+3^{\\frac{3}{2}}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\,t_{1}\\right)}{3\\,\\Delta_{X}}-\\mathrm{Ki}+1\\right)}{\\sqrt{9\\,\\left(\\left(a_{1}+a_{0}\\right)\\,t_{1}+\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\right)^{2}+24\\,\\Delta_{X}\\,a_{1}\\,\\left(\\frac{-\\left(\\left(a_{1}+2\\,a_{0}\\right)\\,t_{1}^{2}+3^{\\frac{3}{2}}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\,t_{1}\\right)}{3\\,\\Delta_{X}}-\\mathrm{Ki}+1\\right)}+3\\,\\left(\\left(a_{1}+a_{0}\\right)\\,t_{1}+\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}\\right)} \\\\ s_{5,\\mathrm{ST},v,0} = \\frac{\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}}{2} \\\\ s_{5,\\mathrm{ST},v,1} = \\frac{\\left(a_{1}+a_{0}\\right)\\,t_{1}+\\sqrt{3}\\,\\sqrt{\\Delta_{X}\\,\\mathrm{Ki}\\,a_{0}}}{2}",
     source = "3 s5ST[1]",
-    rules("compensated", "conjugate", "distributed", "factored", "gathered", "merge-roots", "sign-branch"),
-    bound(t0 = 2.01, ko = 6.51, t2 = 13.01, v0 = 1.51, v1 = 4.51),
+    rules("compensated", "conjugate", "double-double", "factored", "merge-roots", "sign-branch"),
+    precision = "double-double",
+    bound(t0 = 0.51, ko = 0.51, t2 = 0.51, v0 = 0.51, v1 = 0.51),
     results(
         t0(worksheet = "s5ST_t0", unit = "s"),
         ko(worksheet = "s5ST_Ko", unit = "1"),
@@ -102,15 +103,26 @@ pub fn by_accelerations(
         3.0 * delta_x * (ki * (9.0 * a0 - 8.0 * a1) + 8.0 * a1)
         + t1 * t1 * (a0 * (9.0 * a0 + 2.0 * a1) + a1 * a1)
     );
+    let product = 3.0 * delta_x;
+    let product2 = product * ki;
     // compensated
     let cancelling3 = compensated!(t1 * t1 * (2.0 * a0 + a1) + 3.0 * delta_x * ki);
+    // merge-roots
+    let root = sqrt(product2 * a0);
+    let product3 = 3.0 * t1 * root;
     // compensated
     let cancelling4 = compensated!(
         t1 * t1 * (t1 * t1 * (2.0 * a0 + a1) * (2.0 * a0 + a1) + 3.0 * delta_x * ki * (2.0 * a1 - 5.0 * a0))
         + 9.0 * delta_x * delta_x * ki * ki
     );
+    // factored
+    let product4 = t1 * sum;
+    let sum2 = root + product4;
+    let difference = root - product4;
     // compensated
     let cancelling5 = compensated!(t1 * t1 * (a0 + a1) * (a0 + a1) - 3.0 * delta_x * ki * a0);
+    // sign-branch
+    let chosen = if sum >= 0.0 { 3.0 * sum2 } else { -3.0 * cancelling5 / difference };
     // compensated
     let cancelling6 = compensated!(a1 - 3.0 * a0);
     // compensated
@@ -118,52 +130,29 @@ pub fn by_accelerations(
         a0 * (2.0 * a1 * (t1 * t1 * (3.0 * delta_x * (18.0 * a0 * (3.0 * ki + 4.0) + a1 * (16.0 - 25.0 * ki)) + t1 * t1 * (a0 * (18.0 * a0 + 11.0 * a1) + 2.0 * a1 * a1)) + 648.0 * delta_x * delta_x * ki * (1.0 - ki)) + 81.0 * a0 * (a0 * t1 * t1 - 3.0 * delta_x * ki) * (a0 * t1 * t1 - 3.0 * delta_x * ki))
         + a1 * a1 * (24.0 * delta_x * (1.0 - ki) + a1 * t1 * t1) * (24.0 * delta_x * (1.0 - ki) + a1 * t1 * t1)
     );
+    // sign-branch
+    let chosen2 = if (cancelling2 >= 0.0 && cancelling6 <= 0.0) || (cancelling2 <= 0.0 && cancelling6 >= 0.0) {
+        -6.0 * t1 * cancelling6 * root + cancelling2
+    } else {
+        cancelling7 / (6.0 * t1 * cancelling6 * root + cancelling2)
+    };
+    let root2 = sqrt(chosen2);
     // compensated
     let cancelling8 = compensated!(
         3.0 * ki * delta_x * (3.0 * delta_x * (ki - 2.0) + t1 * t1 * (2.0 * a1 - 5.0 * a0))
         + (t1 * t1 * (2.0 * a0 + a1) - 3.0 * delta_x) * (t1 * t1 * (2.0 * a0 + a1) - 3.0 * delta_x)
     );
-    // gathered
-    let polynomial = compensated!(3.0 * delta_x * ki);
-    // gathered
-    let polynomial2 = compensated!(3.0 * delta_x * ki * a0);
-    // merge-roots
-    let root = sqrt(polynomial2);
-    let product = 3.0 * t1 * root;
-    // gathered
-    let polynomial3 = compensated!(9.0 * delta_x * t1);
-    // gathered
-    let polynomial4 = compensated!(3.0 * delta_x * (t1 * t1 * (2.0 * a0 + a1) + 3.0 * delta_x * ki));
-    // gathered
-    let polynomial5 = compensated!(t1 * (a0 + a1));
-    let sum2 = root + polynomial5;
-    // gathered
-    let polynomial6 = compensated!(3.0 * (t1 * t1 * (a0 + a1) * (a0 + a1) - 3.0 * delta_x * ki * a0));
-    let difference = root - polynomial5;
-    // sign-branch
-    let chosen = if sum >= 0.0 { 3.0 * sum2 } else { -polynomial6 / difference };
-    // gathered
-    let polynomial7 = compensated!(6.0 * t1 * (a1 - 3.0 * a0));
-    // factored
-    let product2 = root * polynomial7;
-    // sign-branch
-    let chosen2 = if (cancelling2 >= 0.0 && cancelling6 <= 0.0) || (cancelling2 <= 0.0 && cancelling6 >= 0.0) {
-        cancelling2 - product2
-    } else {
-        cancelling7 / (product2 + cancelling2)
-    };
-    let root2 = sqrt(chosen2);
     ByAccelerations {
-        t0: sqrt(polynomial / a0),
+        t0: sqrt(product2 / a0),
         ko: if cancelling3 >= 0.0 {
-            (product + cancelling3) / (3.0 * delta_x)
+            (product3 + cancelling3) / product
         } else {
-            -cancelling4 / (polynomial3 * root - polynomial4)
+            -cancelling4 / (product * (product3 - cancelling3))
         },
         t2: if chosen <= 0.0 {
             -0.5 * (chosen - root2) / a1
         } else {
-            4.0 * cancelling8 / ((root2 + chosen) * (product + cancelling))
+            4.0 * cancelling8 / ((root2 + chosen) * (product3 + cancelling))
         },
         v0: 0.5 * root,
         v1: if sum >= 0.0 { 0.5 * sum2 } else { -0.5 * cancelling5 / difference },
@@ -199,7 +188,7 @@ pub fn by_accelerations(
 ///
 /// # Error
 ///
-/// - at most 6.51 ulp, barring overflow and underflow
+/// - at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 3 Ko = 1 (not shown).
 #[kernel(
@@ -207,8 +196,9 @@ pub fn by_accelerations(
     maxima = "s5_Ki_Ko1(DeltaX,a0,a1,t1):=(sqrt(a0)*sqrt((a0-4*a1)*t1^2+12*DeltaX)-3*a0*t1)^2/(12*DeltaX*a0)",
     latex = "s_{5,\\mathrm{Ki},\\mathrm{Ko},1} = \\frac{\\left(\\sqrt{a_{0}}\\,\\sqrt{\\left(a_{0}-4\\,a_{1}\\right)\\,t_{1}^{2}+12\\,\\Delta_{X}}-3\\,a_{0}\\,t_{1}\\right)^{2}}{12\\,\\Delta_{X}\\,a_{0}}",
     source = "3 Ko = 1 (not shown)",
-    rules("compensated", "conjugate", "distributed", "factored", "gathered", "merge-roots"),
-    bound = 6.51,
+    rules("compensated", "conjugate", "double-double", "factored", "merge-roots"),
+    precision = "double-double",
+    bound = 0.51,
     result(worksheet = "s5_Ki_Ko1", unit = "1"),
 )]
 pub fn ki_without_middle(
@@ -222,18 +212,16 @@ pub fn ki_without_middle(
     require!(t1 > 0.0, "t1 > 0");
     require!(compensated!(3.0 * delta_x - t1 * t1 * (2.0 * a0 + a1)) > 0.0, "3*DeltaX > (a1+2*a0)*t1^2");
     require!(a1 >= 0.0 || compensated!(3.0 * delta_x * a0 - a1 * a1 * t1 * t1) > 0.0, "a1 >= 0 or 3*a0*DeltaX > a1^2*t1^2");
-    // gathered
-    let polynomial = compensated!(2.0 * (3.0 * delta_x - t1 * t1 * (2.0 * a0 + a1)) * (3.0 * delta_x - t1 * t1 * (2.0 * a0 + a1)));
-    // gathered
-    let polynomial2 = compensated!(a0 * (t1 * t1 * (a0 - 4.0 * a1) + 12.0 * delta_x));
+    // compensated
+    let cancelling = compensated!(3.0 * delta_x - t1 * t1 * (2.0 * a0 + a1));
+    // compensated
+    let cancelling2 = compensated!(t1 * t1 * (5.0 * a0 - 2.0 * a1) + 6.0 * delta_x);
+    // compensated
+    let cancelling3 = compensated!(t1 * t1 * (a0 - 4.0 * a1) + 12.0 * delta_x);
     // merge-roots
-    let root = sqrt(polynomial2);
-    // gathered
-    let polynomial3 = compensated!(9.0 * delta_x * t1);
-    // gathered
-    let polynomial4 = compensated!(3.0 * delta_x * (t1 * t1 * (5.0 * a0 - 2.0 * a1) + 6.0 * delta_x));
-    // factored, conjugate
-    polynomial / (polynomial3 * root + polynomial4)
+    let root = sqrt(cancelling3 * a0);
+    // factored, conjugate, double-double
+    2.0 * cancelling * cancelling / (3.0 * delta_x * (3.0 * t1 * root + cancelling2))
 }
 
 /// What [`by_times`](fn@by_times) returns.

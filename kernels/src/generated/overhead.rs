@@ -44,8 +44,8 @@ pub struct StepLimited {
 ///
 /// # Error
 ///
-/// - `t_ovr_hd`: at most 6.51 ulp, barring overflow and underflow
-/// - `dt_ovr_hd_dt_in`: at most 6.51 ulp, barring overflow and underflow
+/// - `t_ovr_hd`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `dt_ovr_hd_dt_in`: at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: double optimisation rscn_tOv; second numbering 1.2 tOv_diff_tIn.
 #[kernel(
@@ -53,8 +53,9 @@ pub struct StepLimited {
     maxima = "rscn_tOv(tIn,delta,v1Diff,v1Scan):=tIn*v1Diff/(3*v1Scan)+sqrt(tIn^2+24*delta)/4-3*tIn/4\ntOv_diff_tIn(tIn,delta,v1Diff,v1Scan):=v1Diff/(3*v1Scan)+tIn/(4*sqrt(tIn^2+24*delta))-3/4",
     latex = "\\mathrm{rscn}_{\\mathrm{tOv}} = \\frac{t_{\\mathrm{In}}\\,v_{1,\\mathrm{Diff}}}{3\\,v_{1,\\mathrm{Scan}}}+\\frac{\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}}{4}-\\frac{3\\,t_{\\mathrm{In}}}{4} \\\\ t_{\\mathrm{Ov},\\mathrm{diff},\\mathrm{tIn}} = \\frac{v_{1,\\mathrm{Diff}}}{3\\,v_{1,\\mathrm{Scan}}}+\\frac{t_{\\mathrm{In}}}{4\\,\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}}-\\frac{3}{4}",
     source = "double optimisation rscn_tOv; second numbering 1.2 tOv_diff_tIn",
-    rules("compensated", "conjugate", "distributed", "factored", "gathered", "known-sum"),
-    bound(t_ovr_hd = 6.51, dt_ovr_hd_dt_in = 6.51),
+    rules("compensated", "conjugate", "double-double", "factored", "known-sum"),
+    precision = "double-double",
+    bound(t_ovr_hd = 0.51, dt_ovr_hd_dt_in = 0.51),
     results(
         t_ovr_hd(worksheet = "rscn_tOv", unit = "s"),
         dt_ovr_hd_dt_in(worksheet = "tOv_diff_tIn", unit = "1"),
@@ -71,30 +72,23 @@ pub fn step_limited(
     require!(compensated!(3.0 * delta - t_in * t_in) >= 0.0, "3*delta >= tIn^2");
     require!(v1_diff >= 0.0, "v1Diff >= 0");
     require!(v1_scan > v1_diff, "v1Scan > v1Diff");
+    let product = t_in * t_in;
+    let difference = v1_scan - v1_diff;
+    // known-sum
+    let sum = 5.0 * v1_scan + 4.0 * difference;
+    let sum2 = 24.0 * delta + product;
+    let root = sqrt(sum2);
+    let product2 = 3.0 * v1_scan;
     // compensated
     let cancelling = compensated!(
         t_in * t_in * (2.0 * v1_diff - 3.0 * v1_scan) * (3.0 * v1_scan - v1_diff)
         + 27.0 * delta * v1_scan * v1_scan
     );
-    // gathered
-    let polynomial = compensated!(24.0 * delta + t_in * t_in);
-    let root = sqrt(polynomial);
-    // gathered
-    let polynomial2 = compensated!(9.0 * v1_scan * v1_scan);
-    // gathered
-    let polynomial3 = compensated!(3.0 * t_in * v1_scan * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)));
-    // gathered
-    let polynomial4 = compensated!(
-        2.0
-        * (t_in * t_in * (2.0 * (v1_scan - v1_diff) + v1_scan) * (2.0 * v1_scan + (v1_scan - v1_diff)) + 3.0 * delta * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)) * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)))
-    );
-    // gathered
-    let polynomial5 = compensated!(9.0 * t_in * v1_scan * v1_scan);
-    // gathered
-    let polynomial6 = compensated!(3.0 * v1_scan * (24.0 * delta + t_in * t_in) * (5.0 * v1_scan + 4.0 * (v1_scan - v1_diff)));
     StepLimited {
-        t_ovr_hd: 2.0 * cancelling / (polynomial2 * root + polynomial3),
-        dt_ovr_hd_dt_in: -polynomial4 / (polynomial5 * root + polynomial6),
+        t_ovr_hd: 2.0 * cancelling / (product2 * (product2 * root + t_in * sum)),
+        dt_ovr_hd_dt_in: -2.0
+            * (product * (2.0 * difference + v1_scan) * (2.0 * v1_scan + difference) + 3.0 * delta * sum * sum)
+            / (product2 * (3.0 * t_in * v1_scan * root + sum2 * sum)),
     }
 }
 
@@ -130,7 +124,7 @@ pub fn step_limited(
 ///
 /// # Error
 ///
-/// - at most 6.51 ulp, barring overflow and underflow
+/// - at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: double optimisation %o212.
 #[kernel(
@@ -138,8 +132,9 @@ pub fn step_limited(
     maxima = "tEdge_ax2ax1(tIn,delta,v1Scan,v1Diff,a1Max):=(sqrt(tIn^2+24*delta)-3*tIn)/2-4*tIn*(v1Scan-v1Diff)/(2*v1Diff+a1Max*tIn)",
     latex = "t_{\\mathrm{Edge},\\mathrm{ax},2,\\mathrm{ax},1} = \\frac{\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}-3\\,t_{\\mathrm{In}}}{2}-\\frac{4\\,t_{\\mathrm{In}}\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)}{2\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}}",
     source = "double optimisation %o212",
-    rules("compensated", "conjugate", "distributed", "factored", "gathered"),
-    bound = 6.51,
+    rules("compensated", "conjugate", "double-double", "factored"),
+    precision = "double-double",
+    bound = 0.51,
     result(worksheet = "tEdge_ax2ax1", unit = "s"),
 )]
 pub fn t_edge(
@@ -156,20 +151,17 @@ pub fn t_edge(
     require!(a1_max > 0.0, "a1Max > 0");
     require!(compensated!(t_in * a1_max - 2.0 * v1_diff) >= 0.0, "2*v1Diff <= a1Max*tIn");
     require!(compensated!(3.0 * delta * ((2.0 * v1_diff + a1_max * t_in) * (2.0 * v1_diff + a1_max * t_in)) - t_in * t_in * (a1_max * t_in + 2.0 * v1_scan) * (a1_max * t_in + 4.0 * v1_scan - 2.0 * v1_diff)) >= 0.0, "3*delta*(2*v1Diff+a1Max*tIn)^2 >= tIn^2*(a1Max*tIn+2*v1Scan)*(a1Max*tIn+4*v1Scan-2*v1Diff)");
+    let root = sqrt(24.0 * delta + t_in * t_in);
+    let sum = t_in * a1_max + 2.0 * v1_diff;
     // compensated
     let cancelling = compensated!(
         t_in * (t_in * (a1_max * (t_in * (2.0 * (v1_diff - 3.0 * v1_scan) - t_in * a1_max) + 3.0 * delta * a1_max) + 4.0 * v1_scan * (v1_diff - 2.0 * v1_scan)) + 12.0 * delta * v1_diff * a1_max)
         + 12.0 * delta * v1_diff * v1_diff
     );
-    // gathered
-    let polynomial = compensated!(24.0 * delta + t_in * t_in);
-    let root = sqrt(polynomial);
-    // gathered
-    let polynomial2 = compensated!((t_in * a1_max + 2.0 * v1_diff) * (t_in * a1_max + 2.0 * v1_diff));
-    // gathered
-    let polynomial3 = compensated!(t_in * (t_in * a1_max + 2.0 * v1_diff) * (3.0 * t_in * a1_max + 2.0 * (4.0 * v1_scan - v1_diff)));
-    // factored, conjugate
-    4.0 * cancelling / (polynomial2 * root + polynomial3)
+    // factored, conjugate, double-double
+    4.0
+        * cancelling
+        / (sum * (sum * root + t_in * (3.0 * t_in * a1_max + 2.0 * (4.0 * v1_scan - v1_diff))))
 }
 
 /// What the scan axis has to lose in a ramp in of the time tIn so that it does not rest for the step axis.
@@ -203,7 +195,7 @@ pub fn t_edge(
 ///
 /// # Error
 ///
-/// - at most 6.51 ulp, barring overflow and underflow
+/// - at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: second numbering 1.2.1 rscn_v1Diff_tE0.
 #[kernel(
@@ -211,8 +203,9 @@ pub fn t_edge(
     maxima = "rscn_v1Diff_tE0(tIn,delta,v1Scan,a1Max):=tIn*(8*v1Scan-a1Max*sqrt(tIn^2+24*delta)+3*a1Max*tIn)/(2*(sqrt(tIn^2+24*delta)+tIn))",
     latex = "\\mathrm{rscn}_{v,1,\\mathrm{Diff},\\mathrm{tE},0} = \\frac{t_{\\mathrm{In}}\\,\\left(8\\,v_{1,\\mathrm{Scan}}-a_{1,\\mathrm{Max}}\\,\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}+3\\,a_{1,\\mathrm{Max}}\\,t_{\\mathrm{In}}\\right)}{2\\,\\left(\\sqrt{t_{\\mathrm{In}}^{2}+24\\,\\delta}+t_{\\mathrm{In}}\\right)}",
     source = "second numbering 1.2.1 rscn_v1Diff_tE0",
-    rules("compensated", "conjugate", "factored", "gathered"),
-    bound = 6.51,
+    rules("compensated", "conjugate", "double-double", "factored"),
+    precision = "double-double",
+    bound = 0.51,
     result(worksheet = "rscn_v1Diff_tE0", unit = "m/s"),
 )]
 pub fn v1_diff(
@@ -228,20 +221,12 @@ pub fn v1_diff(
     require!(a1_max > 0.0, "a1Max > 0");
     require!(compensated!(a1_max * (t_in * (t_in * a1_max + 6.0 * v1_scan) - 3.0 * delta * a1_max) + 8.0 * v1_scan * v1_scan) >= 0.0, "3*a1Max^2*delta <= (a1Max*tIn+2*v1Scan)*(a1Max*tIn+4*v1Scan)");
     require!(compensated!(3.0 * delta * a1_max * a1_max - v1_scan * (t_in * a1_max + 2.0 * v1_scan)) >= 0.0, "3*a1Max^2*delta >= v1Scan*(a1Max*tIn+2*v1Scan)");
-    // gathered
-    let polynomial = compensated!(
-        t_in
-        * (a1_max * (t_in * (t_in * a1_max + 6.0 * v1_scan) - 3.0 * delta * a1_max) + 8.0 * v1_scan * v1_scan)
-    );
-    // gathered
-    let polynomial2 = compensated!(t_in * a1_max + 2.0 * v1_scan);
-    // gathered
-    let polynomial3 = compensated!(24.0 * delta + t_in * t_in);
-    let root = sqrt(polynomial3);
-    // gathered
-    let polynomial4 = compensated!(t_in * (t_in * a1_max + 2.0 * v1_scan) + 6.0 * delta * a1_max);
-    // factored, conjugate
-    polynomial / (polynomial2 * root + polynomial4)
+    // compensated
+    let cancelling = compensated!(a1_max * (t_in * (t_in * a1_max + 6.0 * v1_scan) - 3.0 * delta * a1_max) + 8.0 * v1_scan * v1_scan);
+    let sum = t_in * a1_max + 2.0 * v1_scan;
+    let root = sqrt(24.0 * delta + t_in * t_in);
+    // factored, conjugate, double-double
+    t_in * cancelling / (sum * root + (t_in * sum + 6.0 * delta * a1_max))
 }
 
 /// What [`scan_limited`](fn@scan_limited) returns.

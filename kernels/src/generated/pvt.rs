@@ -266,8 +266,8 @@ pub struct ArrivalFirst {
 ///
 /// # Error
 ///
-/// - `t1`: at most 4.51 ulp, barring overflow and underflow
-/// - `a1`: at most 6.51 ulp, barring overflow and underflow
+/// - `t1`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `a1`: at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 1.2 %o13, %o14.
 #[kernel(
@@ -275,8 +275,9 @@ pub struct ArrivalFirst {
     maxima = "s_t1_2(x0,v0,x1,v1,a0):=(6*x1-6*x0)/(sqrt(6*a0*x1-6*a0*x0+v1^2+4*v0*v1+4*v0^2)+v1+2*v0)\ns_a1_2(x0,v0,x1,v1,a0):=((v1-v0)*sqrt(6*a0*x1-6*a0*x0+v1^2+4*v0*v1+4*v0^2)-3*a0*x1+3*a0*x0+v1^2+v0*v1-2*v0^2)/(3*x1-3*x0)",
     latex = "s_{t,1,2} = \\frac{6\\,x_{1}-6\\,x_{0}}{\\sqrt{6\\,a_{0}\\,x_{1}-6\\,a_{0}\\,x_{0}+v_{1}^{2}+4\\,v_{0}\\,v_{1}+4\\,v_{0}^{2}}+v_{1}+2\\,v_{0}} \\\\ s_{a,1,2} = \\frac{\\left(v_{1}-v_{0}\\right)\\,\\sqrt{6\\,a_{0}\\,x_{1}-6\\,a_{0}\\,x_{0}+v_{1}^{2}+4\\,v_{0}\\,v_{1}+4\\,v_{0}^{2}}-3\\,a_{0}\\,x_{1}+3\\,a_{0}\\,x_{0}+v_{1}^{2}+v_{0}\\,v_{1}-2\\,v_{0}^{2}}{3\\,x_{1}-3\\,x_{0}}",
     source = "1.2 %o13, %o14",
-    rules("compensated", "conjugate", "differences-first", "factored", "gathered", "sign-branch"),
-    bound(t1 = 4.51, a1 = 6.51),
+    rules("compensated", "conjugate", "differences-first", "double-double", "factored", "sign-branch"),
+    precision = "double-double",
+    bound(t1 = 0.51, a1 = 0.51),
     results(
         t1(worksheet = "s_t1_2", unit = "s"),
         a1(worksheet = "s_a1_2", unit = "m/s^2"),
@@ -293,24 +294,21 @@ pub fn arrival_first(
     require!(a0 != 0.0 || 2.0 * v0 + v1 > 0.0, "a0 # 0 or v1+2*v0 > 0");
     require!(compensated!((v1 + 2.0 * v0) * (v1 + 2.0 * v0) + 6.0 * a0 * (x1 - x0)) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
     let sum = 2.0 * v0 + v1;
+    let difference = x1 - x0;
     // compensated, differences-first
     let cancelling = compensated!(6.0 * a0 * (x1 - x0) + (2.0 * v0 + v1) * (2.0 * v0 + v1));
     let root = sqrt(cancelling);
     // compensated, differences-first
     let cancelling2 = compensated!(v0 * (v1 - 2.0 * v0) + (v1 * v1 - 3.0 * a0 * (x1 - x0)));
-    let difference = v1 - v0;
-    // gathered
-    let polynomial = compensated!(6.0 * (x1 - x0));
-    // gathered
-    let polynomial2 = compensated!(3.0 * (x1 - x0));
-    // gathered
-    let polynomial3 = compensated!(a0 * (3.0 * a0 * (x1 - x0) + 2.0 * (v0 - v1) * (2.0 * v1 + v0)));
+    let difference2 = v1 - v0;
+    // compensated, differences-first
+    let cancelling3 = compensated!(3.0 * a0 * (x1 - x0) + 2.0 * (v0 - v1) * (2.0 * v1 + v0));
     ArrivalFirst {
-        t1: if sum <= 0.0 { (root - sum) / a0 } else { polynomial / (root + sum) },
-        a1: if (cancelling2 >= 0.0 && difference >= 0.0) || (cancelling2 <= 0.0 && difference <= 0.0) {
-            (difference * root + cancelling2) / polynomial2
+        t1: if sum <= 0.0 { (root - sum) / a0 } else { 6.0 * difference / (root + sum) },
+        a1: if (cancelling2 >= 0.0 && difference2 >= 0.0) || (cancelling2 <= 0.0 && difference2 <= 0.0) {
+            (difference2 * root + cancelling2) / (3.0 * difference)
         } else {
-            polynomial3 / ((v0 - v1) * root + cancelling2)
+            a0 * cancelling3 / ((v0 - v1) * root + cancelling2)
         },
     }
 }
@@ -353,8 +351,8 @@ pub struct ArrivalLast {
 ///
 /// # Error
 ///
-/// - `t1`: at most 4.51 ulp, barring overflow and underflow
-/// - `a1`: at most 6.51 ulp, barring overflow and underflow
+/// - `t1`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `a1`: at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 1.2 %o11, %o12.
 #[kernel(
@@ -362,8 +360,9 @@ pub struct ArrivalLast {
     maxima = "s_t1_1(x0,v0,x1,v1,a0):=-(6*x1-6*x0)/(sqrt(6*a0*x1-6*a0*x0+v1^2+4*v0*v1+4*v0^2)-v1-2*v0)\ns_a1_1(x0,v0,x1,v1,a0):=-((v1-v0)*sqrt(6*a0*x1-6*a0*x0+v1^2+4*v0*v1+4*v0^2)+3*a0*x1-3*a0*x0-v1^2-v0*v1+2*v0^2)/(3*x1-3*x0)",
     latex = "s_{t,1,1} = \\frac{-\\left(6\\,x_{1}-6\\,x_{0}\\right)}{\\sqrt{6\\,a_{0}\\,x_{1}-6\\,a_{0}\\,x_{0}+v_{1}^{2}+4\\,v_{0}\\,v_{1}+4\\,v_{0}^{2}}-v_{1}-2\\,v_{0}} \\\\ s_{a,1,1} = \\frac{-\\left(\\left(v_{1}-v_{0}\\right)\\,\\sqrt{6\\,a_{0}\\,x_{1}-6\\,a_{0}\\,x_{0}+v_{1}^{2}+4\\,v_{0}\\,v_{1}+4\\,v_{0}^{2}}+3\\,a_{0}\\,x_{1}-3\\,a_{0}\\,x_{0}-v_{1}^{2}-v_{0}\\,v_{1}+2\\,v_{0}^{2}\\right)}{3\\,x_{1}-3\\,x_{0}}",
     source = "1.2 %o11, %o12",
-    rules("compensated", "conjugate", "differences-first", "factored", "gathered", "sign-branch"),
-    bound(t1 = 4.51, a1 = 6.51),
+    rules("compensated", "conjugate", "differences-first", "double-double", "factored", "sign-branch"),
+    precision = "double-double",
+    bound(t1 = 0.51, a1 = 0.51),
     results(
         t1(worksheet = "s_t1_1", unit = "s"),
         a1(worksheet = "s_a1_1", unit = "m/s^2"),
@@ -380,24 +379,21 @@ pub fn arrival_last(
     require!(a0 != 0.0 || 2.0 * v0 + v1 < 0.0, "a0 # 0 or v1+2*v0 < 0");
     require!(compensated!((v1 + 2.0 * v0) * (v1 + 2.0 * v0) + 6.0 * a0 * (x1 - x0)) >= 0.0, "(v1+2*v0)^2+6*a0*(x1-x0) >= 0");
     let sum = 2.0 * v0 + v1;
+    let difference = x1 - x0;
     // compensated, differences-first
     let cancelling = compensated!(6.0 * a0 * (x1 - x0) + (2.0 * v0 + v1) * (2.0 * v0 + v1));
     let root = sqrt(cancelling);
     // compensated, differences-first
     let cancelling2 = compensated!(v0 * (v1 - 2.0 * v0) + (v1 * v1 - 3.0 * a0 * (x1 - x0)));
-    let difference = v0 - v1;
-    // gathered
-    let polynomial = compensated!(6.0 * (x1 - x0));
-    // gathered
-    let polynomial2 = compensated!(3.0 * (x1 - x0));
-    // gathered
-    let polynomial3 = compensated!(a0 * (3.0 * a0 * (x1 - x0) + 2.0 * (v0 - v1) * (2.0 * v1 + v0)));
+    let difference2 = v0 - v1;
+    // compensated, differences-first
+    let cancelling3 = compensated!(3.0 * a0 * (x1 - x0) + 2.0 * (v0 - v1) * (2.0 * v1 + v0));
     ArrivalLast {
-        t1: if sum >= 0.0 { -(root + sum) / a0 } else { -polynomial / (root - sum) },
-        a1: if (cancelling2 >= 0.0 && difference >= 0.0) || (cancelling2 <= 0.0 && difference <= 0.0) {
-            (difference * root + cancelling2) / polynomial2
+        t1: if sum >= 0.0 { -(root + sum) / a0 } else { -6.0 * difference / (root - sum) },
+        a1: if (cancelling2 >= 0.0 && difference2 >= 0.0) || (cancelling2 <= 0.0 && difference2 <= 0.0) {
+            (difference2 * root + cancelling2) / (3.0 * difference)
         } else {
-            polynomial3 / ((v1 - v0) * root + cancelling2)
+            a0 * cancelling3 / ((v1 - v0) * root + cancelling2)
         },
     }
 }

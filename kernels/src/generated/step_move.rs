@@ -113,11 +113,11 @@ pub struct QuarterMove {
 ///
 /// # Error
 ///
-/// - `v3`: at most 1.51 ulp, barring overflow and underflow
-/// - `v0`: at most 6.51 ulp, barring overflow and underflow
-/// - `a0`: at most 6.51 ulp, barring overflow and underflow
-/// - `x1`: at most 6.51 ulp, barring overflow and underflow
-/// - `t4`: at most 2.51 ulp, barring overflow and underflow
+/// - `v3`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `v0`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `a0`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `x1`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `t4`: at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.1.1 %o141.
 #[kernel(
@@ -125,8 +125,9 @@ pub struct QuarterMove {
     maxima = "a4V1_v3(x4,a3,t1):=sqrt(6)*sqrt(-a3*x4)/4\na4V1_v0(x4,a3,t1):=-(sqrt(6)*t1*sqrt(-a3*x4)-6*x4)/(20*t1)\na4V1_a0(x4,a3,t1):=-(3*sqrt(6)*t1*sqrt(-a3*x4)-3*x4-5*a3*t1^2)/(5*t1^2)\na4V1_x1(x4,a3,t1):=-(9*sqrt(6)*t1*sqrt(-a3*x4)-39*x4-10*a3*t1^2)/60\na4V1_t4(x4,a3,t1):=sqrt(6)*x4/(2*sqrt(-a3*x4))",
     latex = "a_{4,V,1,v,3} = \\frac{\\sqrt{6}\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}}{4} \\\\ a_{4,V,1,v,0} = \\frac{-\\left(\\sqrt{6}\\,t_{1}\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}-6\\,x_{4}\\right)}{20\\,t_{1}} \\\\ a_{4,V,1,a,0} = \\frac{-\\left(3\\,\\sqrt{6}\\,t_{1}\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}-3\\,x_{4}-5\\,a_{3}\\,t_{1}^{2}\\right)}{5\\,t_{1}^{2}} \\\\ a_{4,V,1,x,1} = \\frac{-\\left(9\\,\\sqrt{6}\\,t_{1}\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}-39\\,x_{4}-10\\,a_{3}\\,t_{1}^{2}\\right)}{60} \\\\ a_{4,V,1,t,4} = \\frac{\\sqrt{6}\\,x_{4}}{2\\,\\sqrt{\\left(-a_{3}\\right)\\,x_{4}}}",
     source = "4.1.1 %o141",
-    rules("compensated", "conjugate", "distributed", "factored", "gathered", "merge-roots"),
-    bound(v3 = 1.51, v0 = 6.51, a0 = 6.51, x1 = 6.51, t4 = 2.51),
+    rules("compensated", "conjugate", "double-double", "factored", "merge-roots"),
+    precision = "double-double",
+    bound(v3 = 0.51, v0 = 0.51, a0 = 0.51, x1 = 0.51, t4 = 0.51),
     results(
         v3(worksheet = "a4V1_v3", unit = "m/s"),
         v0(worksheet = "a4V1_v0", unit = "m/s"),
@@ -146,30 +147,22 @@ pub fn quarter_move(
     require!(compensated!(3.0 * x4 + 5.0 * a3 * t1 * t1) > 0.0, "3*x4+5*a3*t1^2 > 0");
     require!(compensated!((3.0 * x4 + 5.0 * a3 * (t1 * t1)) * (3.0 * x4 + 5.0 * a3 * (t1 * t1)) + 54.0 * a3 * x4 * (t1 * t1)) > 0.0, "(3*x4+5*a3*t1^2)^2+54*a3*x4*t1^2 > 0");
     // compensated
-    let cancelling = compensated!(a3 * t1 * t1 * (84.0 * x4 + 25.0 * a3 * t1 * t1) + 9.0 * x4 * x4);
-    // compensated
-    let cancelling2 = compensated!(2.0 * a3 * t1 * t1 * (633.0 * x4 + 50.0 * a3 * t1 * t1) + 1521.0 * x4 * x4);
-    // gathered
-    let polynomial = compensated!(6.0 * x4 * a3);
+    let cancelling = compensated!(3.0 * x4 + 5.0 * a3 * t1 * t1);
     // merge-roots
-    let root = sqrt(-polynomial);
-    // gathered
-    let polynomial2 = compensated!(3.0 * x4 * (6.0 * x4 + a3 * t1 * t1));
-    // gathered
-    let polynomial3 = compensated!(10.0 * t1 * t1);
-    // gathered
-    let polynomial4 = compensated!(60.0 * x4 * t1);
-    // gathered
-    let polynomial5 = compensated!(15.0 * t1 * t1 * t1);
-    // gathered
-    let polynomial6 = compensated!(5.0 * t1 * t1 * (3.0 * x4 + 5.0 * a3 * t1 * t1));
-    // gathered
-    let polynomial7 = compensated!(60.0 * (39.0 * x4 + 10.0 * a3 * t1 * t1));
+    let root = sqrt(-6.0 * x4 * a3);
+    // compensated
+    let cancelling2 = compensated!(6.0 * x4 + a3 * t1 * t1);
+    // compensated
+    let cancelling3 = compensated!(a3 * t1 * t1 * (84.0 * x4 + 25.0 * a3 * t1 * t1) + 9.0 * x4 * x4);
+    // compensated
+    let cancelling4 = compensated!(39.0 * x4 + 10.0 * a3 * t1 * t1);
+    // compensated
+    let cancelling5 = compensated!(2.0 * a3 * t1 * t1 * (633.0 * x4 + 50.0 * a3 * t1 * t1) + 1521.0 * x4 * x4);
     QuarterMove {
         v3: 0.25 * root,
-        v0: polynomial2 / (polynomial3 * root + polynomial4),
-        a0: cancelling / (polynomial5 * root + polynomial6),
-        x1: cancelling2 / (540.0 * t1 * root + polynomial7),
+        v0: 3.0 * x4 * cancelling2 / (10.0 * t1 * (t1 * root + 6.0 * x4)),
+        a0: cancelling3 / (5.0 * t1 * t1 * (3.0 * t1 * root + cancelling)),
+        x1: cancelling5 / (60.0 * (9.0 * t1 * root + cancelling4)),
         t4: -0.5 * root / a3,
     }
 }
@@ -222,12 +215,12 @@ pub struct ContinuousMove {
 ///
 /// # Error
 ///
-/// - `kv0`: at most 4.51 ulp, barring overflow and underflow
-/// - `kv3`: at most 5.51 ulp, barring overflow and underflow
-/// - `kt4`: at most 5.51 ulp, barring overflow and underflow
-/// - `ka0`: at most 6.51 ulp, barring overflow and underflow
-/// - `ka3`: at most 6.51 ulp, barring overflow and underflow
-/// - `kx1`: at most 6.51 ulp, barring overflow and underflow
+/// - `kv0`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `kv3`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `kt4`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `ka0`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `ka3`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `kx1`: at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.3 a4VO2[2] (not shown).
 #[kernel(
@@ -235,8 +228,9 @@ pub struct ContinuousMove {
     maxima = "a4VO2_kv0(Ki,Ko):=-(3*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+6*Ki*Ko+15*Ki^2-30*Ki)/(2*Ko+50*Ki)\na4VO2_kv3(Ki,Ko):=(15*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)-3*Ko^2+(6-48*Ki)*Ko)/(2*Ko+50*Ki)\na4VO2_kt4(Ki,Ko):=-(5*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+Ko^2+(16*Ki-2)*Ko)/(Ko^2+(7*Ki-4)*Ko+6*Ki^2-14*Ki+4)\na4VO2_ka0(Ki,Ko):=((12*Ko+30*Ki-60)*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+(21*Ki+6)*Ko^2+(42*Ki^2-78*Ki-12)*Ko+75*Ki^3-300*Ki^2+300*Ki)/(Ko^2+50*Ki*Ko+625*Ki^2)\na4VO2_ka3(Ki,Ko):=-((30*Ko+480*Ki-60)*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)-3*Ko^3+(12-96*Ki)*Ko^2+(-993*Ki^2+42*Ki-12)*Ko+450*Ki^3-1050*Ki^2+300*Ki)/(Ko^2+50*Ki*Ko+625*Ki^2)\na4VO2_kx1(Ki,Ko):=((Ko-65*Ki-20)*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+(2*Ki+2)*Ko^2+(-101*Ki^2+4*Ki-4)*Ko+275*Ki^3+650*Ki^2+100*Ki)/(2*Ko^2+100*Ki*Ko+1250*Ki^2)",
     latex = "a_{4,\\mathrm{VO},2,\\mathrm{kv},0} = \\frac{-\\left(3\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}+6\\,\\mathrm{Ki}\\,\\mathrm{Ko}+15\\,\\mathrm{Ki}^{2}-30\\,\\mathrm{Ki}\\right)}{2\\,\\mathrm{Ko}+50\\,\\mathrm{Ki}} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{kv},3} = \\frac{15\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}-3\\,\\mathrm{Ko}^{2}+\\left(6-48\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}{2\\,\\mathrm{Ko}+50\\,\\mathrm{Ki}} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{kt},4} = \\frac{-\\left(5\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}+\\mathrm{Ko}^{2}+\\left(16\\,\\mathrm{Ki}-2\\right)\\,\\mathrm{Ko}\\right)}{\\mathrm{Ko}^{2}+\\left(7\\,\\mathrm{Ki}-4\\right)\\,\\mathrm{Ko}+6\\,\\mathrm{Ki}^{2}-14\\,\\mathrm{Ki}+4} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{ka},0} = \\frac{\\left(12\\,\\mathrm{Ko}+30\\,\\mathrm{Ki}-60\\right)\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}+\\left(21\\,\\mathrm{Ki}+6\\right)\\,\\mathrm{Ko}^{2}+\\left(42\\,\\mathrm{Ki}^{2}-78\\,\\mathrm{Ki}-12\\right)\\,\\mathrm{Ko}+75\\,\\mathrm{Ki}^{3}-300\\,\\mathrm{Ki}^{2}+300\\,\\mathrm{Ki}}{\\mathrm{Ko}^{2}+50\\,\\mathrm{Ki}\\,\\mathrm{Ko}+625\\,\\mathrm{Ki}^{2}} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{ka},3} = \\frac{-\\left(\\left(30\\,\\mathrm{Ko}+480\\,\\mathrm{Ki}-60\\right)\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}-3\\,\\mathrm{Ko}^{3}+\\left(12-96\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-993\\right)\\,\\mathrm{Ki}^{2}+42\\,\\mathrm{Ki}-12\\right)\\,\\mathrm{Ko}+450\\,\\mathrm{Ki}^{3}-1050\\,\\mathrm{Ki}^{2}+300\\,\\mathrm{Ki}\\right)}{\\mathrm{Ko}^{2}+50\\,\\mathrm{Ki}\\,\\mathrm{Ko}+625\\,\\mathrm{Ki}^{2}} \\\\ a_{4,\\mathrm{VO},2,\\mathrm{kx},1} = \\frac{\\left(\\mathrm{Ko}-65\\,\\mathrm{Ki}-20\\right)\\,\\sqrt{\\left(3\\,\\mathrm{Ki}^{2}+2\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-6\\right)\\,\\mathrm{Ki}^{3}+14\\,\\mathrm{Ki}^{2}-4\\,\\mathrm{Ki}\\right)\\,\\mathrm{Ko}}+\\left(2\\,\\mathrm{Ki}+2\\right)\\,\\mathrm{Ko}^{2}+\\left(\\left(-101\\right)\\,\\mathrm{Ki}^{2}+4\\,\\mathrm{Ki}-4\\right)\\,\\mathrm{Ko}+275\\,\\mathrm{Ki}^{3}+650\\,\\mathrm{Ki}^{2}+100\\,\\mathrm{Ki}}{2\\,\\mathrm{Ko}^{2}+100\\,\\mathrm{Ki}\\,\\mathrm{Ko}+1250\\,\\mathrm{Ki}^{2}}",
     source = "4.3 a4VO2[2] (not shown)",
-    rules("compensated", "conjugate", "distributed", "factored", "gathered", "sign-branch"),
-    bound(kv0 = 4.51, kv3 = 5.51, kt4 = 5.51, ka0 = 6.51, ka3 = 6.51, kx1 = 6.51),
+    rules("compensated", "conjugate", "double-double", "factored", "sign-branch"),
+    precision = "double-double",
+    bound(kv0 = 0.51, kv3 = 0.51, kt4 = 0.51, ka0 = 0.51, ka3 = 0.51, kx1 = 0.51),
     results(
         kv0(worksheet = "a4VO2_kv0", unit = "1"),
         kv3(worksheet = "a4VO2_kv3", unit = "1"),
@@ -255,82 +249,67 @@ pub fn continuous_move(
     require!(compensated!(2.0 - ko - ki) > 0.0, "Ki+Ko < 2");
     require!(compensated!(6.0 * ki + (ko - 2.0)) > 0.0, "Ko+6*Ki > 2");
     // compensated
-    let cancelling = compensated!(2.0 * (5.0 - ko) - 5.0 * ki);
+    let cancelling = compensated!(2.0 - ko - ki);
     // compensated
-    let cancelling2 = compensated!(16.0 * ki + (ko - 2.0));
-    // gathered
-    let polynomial = compensated!(1.5 * ki * (2.0 - ki) * (2.0 - ko - ki));
-    // gathered
-    let polynomial2 = compensated!(ki * ko * (ki * (3.0 * ko + 14.0 - 6.0 * ki) + 2.0 * (ko - 2.0)));
-    let root = sqrt(polynomial2);
-    // gathered
-    let polynomial3 = compensated!(ki * (2.0 * (5.0 - ko) - 5.0 * ki));
+    let cancelling2 = compensated!(6.0 * ki + (ko - 2.0));
     // compensated
-    let cancelling3 = compensated!(ki * (ko * (14.0 * ki + (7.0 * ko - 26.0)) + 25.0 * (2.0 - ki) * (2.0 - ki)) + 2.0 * ko * (ko - 2.0));
-    // gathered
-    let polynomial4 = compensated!(6.0 * (2.0 * (5.0 - ko) - 5.0 * ki));
-    // gathered
-    let polynomial5 = compensated!(
-        3.0
-        * (ki * (ko * (14.0 * ki + (7.0 * ko - 26.0)) + 25.0 * (2.0 - ki) * (2.0 - ki)) + 2.0 * ko * (ko - 2.0))
-    );
-    // gathered
-    let polynomial6 = compensated!((25.0 * ki + ko) * (25.0 * ki + ko));
-    // gathered
-    let polynomial7 = compensated!(3.0 * (2.0 - ki) * (2.0 - ki) * (2.0 - ko - ki) * (2.0 - ko - ki));
+    let cancelling3 = compensated!(2.0 * (5.0 - ko) - 5.0 * ki);
     // compensated
-    let cancelling4 = compensated!(
+    let cancelling4 = compensated!(ki * (3.0 * ko + 14.0 - 6.0 * ki) + 2.0 * (ko - 2.0));
+    let root = sqrt(ki * ko * cancelling4);
+    let difference = 2.0 - ki;
+    // compensated
+    let cancelling5 = compensated!(16.0 * ki + (ko - 2.0));
+    let sum = 5.0 * root + ko * cancelling5;
+    // compensated
+    let cancelling6 = compensated!(ki * (ko * (14.0 * ki + (7.0 * ko - 26.0)) + 25.0 * (2.0 - ki) * (2.0 - ki)) + 2.0 * ko * (ko - 2.0));
+    let sum2 = 25.0 * ki + ko;
+    let product = sum2 * sum2;
+    // compensated
+    let cancelling7 = compensated!(
         ki * (ki * (331.0 * ko + 350.0 - 150.0 * ki) + 2.0 * (ko - 2.0) * (16.0 * ko + 25.0))
         + ko * (2.0 - ko) * (2.0 - ko)
     );
     // compensated
-    let cancelling5 = compensated!(
+    let cancelling8 = compensated!(
         ki * (ki * (275.0 * ki + (650.0 - 101.0 * ko)) + 2.0 * (ko * (ko + 2.0) + 50.0))
         + 2.0 * ko * (ko - 2.0)
     );
+    // factored
+    let product2 = root * (65.0 * ki + (20.0 - ko));
     // compensated
-    let cancelling6 = compensated!(
+    let cancelling9 = compensated!(
         ko * (ko * (ki * (ki + 6.0) + 4.0) - 2.0 * (ki * (ki * (29.0 * ki + 161.0) + 58.0) + 8.0))
         + (ki * (11.0 * ki + 26.0) + 4.0) * (ki * (11.0 * ki + 26.0) + 4.0)
     );
-    // gathered
-    let polynomial8 = compensated!(65.0 * ki + (20.0 - ko));
-    // factored
-    let product = root * polynomial8;
-    // gathered
-    let polynomial9 = compensated!(1.5 * ko * (2.0 - ko - ki) * (6.0 * ki + (ko - 2.0)));
-    let sum = 5.0 * root + ko * cancelling2;
-    // gathered
-    let polynomial10 = compensated!((6.0 * ki + (ko - 2.0)) * (2.0 - ko - ki));
-    // gathered
-    let polynomial11 = compensated!(10.0 * (16.0 * ki + (ko - 2.0)));
-    // gathered
-    let polynomial12 = compensated!(
-        3.0
-        * (ki * (ki * (331.0 * ko + 350.0 - 150.0 * ki) + 2.0 * (ko - 2.0) * (16.0 * ko + 25.0)) + ko * (2.0 - ko) * (2.0 - ko))
-    );
-    // gathered
-    let polynomial13 = compensated!(30.0 * (16.0 * ki + (ko - 2.0)));
-    // gathered
-    let polynomial14 = compensated!(3.0 * (2.0 - ko - ki) * (2.0 - ko - ki) * (6.0 * ki + (ko - 2.0)) * (6.0 * ki + (ko - 2.0)));
     ContinuousMove {
-        kv0: polynomial / (root + polynomial3),
-        kv3: polynomial9 / sum,
-        kt4: sum / polynomial10,
-        ka0: if cancelling3 <= 0.0 {
-            (polynomial5 - root * polynomial4) / polynomial6
+        kv0: 1.5 * ki * difference * cancelling / (root + cancelling3 * ki),
+        kv3: 1.5 * ko * cancelling * cancelling2 / sum,
+        kt4: sum / (cancelling2 * cancelling),
+        ka0: if cancelling6 <= 0.0 {
+            3.0 * (-2.0 * cancelling3 * root + cancelling6) / product
         } else {
-            polynomial7 / (2.0 * cancelling * root + cancelling3)
+            3.0
+                * difference
+                * difference
+                * cancelling
+                * cancelling
+                / (2.0 * cancelling3 * root + cancelling6)
         },
-        ka3: if cancelling4 <= 0.0 {
-            (polynomial12 - polynomial13 * root) / polynomial6
+        ka3: if cancelling7 <= 0.0 {
+            3.0 * (-10.0 * cancelling5 * root + cancelling7) / product
         } else {
-            polynomial14 / (root * polynomial11 + cancelling4)
+            3.0
+                * cancelling
+                * cancelling
+                * cancelling2
+                * cancelling2
+                / (10.0 * cancelling5 * root + cancelling7)
         },
-        kx1: if cancelling5 <= 0.0 {
-            0.5 * (cancelling5 - product) / polynomial6
+        kx1: if cancelling8 <= 0.0 {
+            0.5 * (cancelling8 - product2) / product
         } else {
-            0.5 * cancelling6 / (product + cancelling5)
+            0.5 * cancelling9 / (product2 + cancelling8)
         },
     }
 }

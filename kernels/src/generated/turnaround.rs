@@ -47,9 +47,9 @@ pub struct OuterRamp {
 ///
 /// # Error
 ///
-/// - `t0`: at most 4.51 ulp, barring overflow and underflow
-/// - `v0`: at most 4.51 ulp, barring overflow and underflow
-/// - `k`: at most 6.51 ulp, barring overflow and underflow
+/// - `t0`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `v0`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `k`: at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3 s5S2[2].
 #[kernel(
@@ -57,8 +57,9 @@ pub struct OuterRamp {
     maxima = "s5S2_t0(t2,t3,a0,DeltaX):=(sqrt(4*a0^2*t3^2+12*a0^2*t2*t3+9*a0^2*t2^2+48*DeltaX*a0)-6*a0*t3-3*a0*t2)/(4*a0)\ns5S2_v0(t2,t3,a0,DeltaX):=(sqrt(4*a0^2*t3^2+12*a0^2*t2*t3+9*a0^2*t2^2+48*DeltaX*a0)-6*a0*t3-3*a0*t2)/8\ns5S2_K(t2,t3,a0,DeltaX):=(2*a0^2*t2*t3^3+sqrt(4*a0^2*t3^2+12*a0^2*t2*t3+9*a0^2*t2^2+48*DeltaX*a0)*(a0*t2*t3^2-6*DeltaX*t3)+(3*a0^2*t2^2+20*DeltaX*a0)*t3^2-6*DeltaX*a0*t2*t3+24*DeltaX^2)/(12*DeltaX*a0*t2*t3+24*DeltaX^2)",
     latex = "s_{5,S,2,t,0} = \\frac{\\sqrt{4\\,a_{0}^{2}\\,t_{3}^{2}+12\\,a_{0}^{2}\\,t_{2}\\,t_{3}+9\\,a_{0}^{2}\\,t_{2}^{2}+48\\,\\Delta_{X}\\,a_{0}}-6\\,a_{0}\\,t_{3}-3\\,a_{0}\\,t_{2}}{4\\,a_{0}} \\\\ s_{5,S,2,v,0} = \\frac{\\sqrt{4\\,a_{0}^{2}\\,t_{3}^{2}+12\\,a_{0}^{2}\\,t_{2}\\,t_{3}+9\\,a_{0}^{2}\\,t_{2}^{2}+48\\,\\Delta_{X}\\,a_{0}}-6\\,a_{0}\\,t_{3}-3\\,a_{0}\\,t_{2}}{8} \\\\ s_{5,S,2,K} = \\frac{2\\,a_{0}^{2}\\,t_{2}\\,t_{3}^{3}+\\sqrt{4\\,a_{0}^{2}\\,t_{3}^{2}+12\\,a_{0}^{2}\\,t_{2}\\,t_{3}+9\\,a_{0}^{2}\\,t_{2}^{2}+48\\,\\Delta_{X}\\,a_{0}}\\,\\left(a_{0}\\,t_{2}\\,t_{3}^{2}-6\\,\\Delta_{X}\\,t_{3}\\right)+\\left(3\\,a_{0}^{2}\\,t_{2}^{2}+20\\,\\Delta_{X}\\,a_{0}\\right)\\,t_{3}^{2}-6\\,\\Delta_{X}\\,a_{0}\\,t_{2}\\,t_{3}+24\\,\\Delta_{X}^{2}}{12\\,\\Delta_{X}\\,a_{0}\\,t_{2}\\,t_{3}+24\\,\\Delta_{X}^{2}}",
     source = "2.3 s5S2[2]",
-    rules("compensated", "conjugate", "distributed", "factored", "gathered", "sign-branch"),
-    bound(t0 = 4.51, v0 = 4.51, k = 6.51),
+    rules("compensated", "conjugate", "double-double", "factored", "sign-branch"),
+    precision = "double-double",
+    bound(t0 = 0.51, v0 = 0.51, k = 0.51),
     results(
         t0(worksheet = "s5S2_t0", unit = "s"),
         v0(worksheet = "s5S2_v0", unit = "m/s"),
@@ -78,43 +79,27 @@ pub fn outer_ramp(
     require!(compensated!(6.0 * delta_x - t3 * a0 * (3.0 * t2 + 4.0 * t3)) > 0.0, "6*DeltaX > a0*t3*(4*t3+3*t2)");
     // compensated
     let cancelling = compensated!(6.0 * delta_x - t3 * a0 * (3.0 * t2 + 4.0 * t3));
-    // gathered
-    let polynomial = compensated!(a0 * (a0 * (3.0 * t2 + 2.0 * t3) * (3.0 * t2 + 2.0 * t3) + 48.0 * delta_x));
-    let root = sqrt(polynomial);
-    // gathered
-    let polynomial2 = compensated!(3.0 * a0 * (2.0 * t3 + t2));
-    let sum = root + polynomial2;
-    // gathered
-    let polynomial3 = compensated!(a0 * (6.0 * delta_x - t3 * a0 * (3.0 * t2 + 4.0 * t3)));
+    let product = 2.0 * t3;
+    let sum = 3.0 * t2 + product;
+    let root = sqrt(a0 * (a0 * sum * sum + 48.0 * delta_x));
+    let sum2 = root + 3.0 * a0 * (product + t2);
+    let product2 = 2.0 * cancelling;
     // compensated
     let cancelling2 = compensated!(
         t3 * a0 * (t2 * (t3 * a0 * (3.0 * t2 + 2.0 * t3) - 6.0 * delta_x) + 20.0 * t3 * delta_x)
         + 24.0 * delta_x * delta_x
     );
-    // gathered
-    let polynomial4 = compensated!(t3 * (6.0 * delta_x - t2 * t3 * a0));
-    // gathered
-    let polynomial5 = compensated!(12.0 * delta_x * (t2 * t3 * a0 + 2.0 * delta_x));
-    // gathered
-    let polynomial6 = compensated!(
-        2.0
-        * (6.0 * delta_x - t3 * a0 * (3.0 * t2 + 4.0 * t3))
-        * (6.0 * delta_x - t3 * a0 * (3.0 * t2 + 4.0 * t3))
-    );
-    // gathered
-    let polynomial7 = compensated!(3.0 * t3 * (6.0 * delta_x - t2 * t3 * a0));
-    // gathered
-    let polynomial8 = compensated!(
-        3.0
-        * (t3 * a0 * (t2 * (t3 * a0 * (3.0 * t2 + 2.0 * t3) - 6.0 * delta_x) + 20.0 * t3 * delta_x) + 24.0 * delta_x * delta_x)
-    );
+    // compensated
+    let cancelling3 = compensated!(6.0 * delta_x - t2 * t3 * a0);
+    // factored
+    let product3 = root * (cancelling3 * t3);
     OuterRamp {
-        t0: 2.0 * cancelling / sum,
-        v0: polynomial3 / sum,
+        t0: product2 / sum2,
+        v0: cancelling * a0 / sum2,
         k: if cancelling2 <= 0.0 {
-            (cancelling2 - root * polynomial4) / polynomial5
+            (cancelling2 - product3) / (12.0 * delta_x * (t2 * t3 * a0 + 2.0 * delta_x))
         } else {
-            polynomial6 / (polynomial7 * root + polynomial8)
+            product2 * cancelling / (3.0 * (product3 + cancelling2))
         },
     }
 }
@@ -161,9 +146,9 @@ pub struct InnerRamp {
 ///
 /// # Error
 ///
-/// - `t3`: at most 4.51 ulp, barring overflow and underflow
-/// - `v0`: at most 0.5 ulp, barring overflow and underflow
-/// - `k`: at most 6.51 ulp, barring overflow and underflow
+/// - `t3`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `v0`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `k`: at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3 s5S3[1].
 #[kernel(
@@ -171,8 +156,9 @@ pub struct InnerRamp {
     maxima = "s5S3_t3(t0,t2,a0,DeltaX):=(sqrt(9*a0^2*t2^2-12*a0^2*t0*t2+4*a0^2*t0^2+96*DeltaX*a0)-3*a0*t2-6*a0*t0)/(8*a0)\ns5S3_v0(t0,t2,a0,DeltaX):=a0*t0/2\ns5S3_K(t0,t2,a0,DeltaX):=-(a0*t0^2*t2*sqrt(9*a0^2*t2^2-12*a0^2*t0*t2+4*a0^2*t0^2+96*DeltaX*a0)+3*a0^2*t0^2*t2^2-2*a0^2*t0^3*t2+16*DeltaX*a0*t0^2)/(12*DeltaX*a0*t0*t2-48*DeltaX^2)",
     latex = "s_{5,S,3,t,3} = \\frac{\\sqrt{9\\,a_{0}^{2}\\,t_{2}^{2}-12\\,a_{0}^{2}\\,t_{0}\\,t_{2}+4\\,a_{0}^{2}\\,t_{0}^{2}+96\\,\\Delta_{X}\\,a_{0}}-3\\,a_{0}\\,t_{2}-6\\,a_{0}\\,t_{0}}{8\\,a_{0}} \\\\ s_{5,S,3,v,0} = \\frac{a_{0}\\,t_{0}}{2} \\\\ s_{5,S,3,K} = \\frac{-\\left(a_{0}\\,t_{0}^{2}\\,t_{2}\\,\\sqrt{9\\,a_{0}^{2}\\,t_{2}^{2}-12\\,a_{0}^{2}\\,t_{0}\\,t_{2}+4\\,a_{0}^{2}\\,t_{0}^{2}+96\\,\\Delta_{X}\\,a_{0}}+3\\,a_{0}^{2}\\,t_{0}^{2}\\,t_{2}^{2}-2\\,a_{0}^{2}\\,t_{0}^{3}\\,t_{2}+16\\,\\Delta_{X}\\,a_{0}\\,t_{0}^{2}\\right)}{12\\,\\Delta_{X}\\,a_{0}\\,t_{0}\\,t_{2}-48\\,\\Delta_{X}^{2}}",
     source = "2.3 s5S3[1]",
-    rules("compensated", "conjugate", "distributed", "factored", "gathered", "same-sign-radicand"),
-    bound(t3 = 4.51, v0 = 0.5, k = 6.51),
+    rules("compensated", "conjugate", "double-double", "factored", "same-sign-radicand"),
+    precision = "double-double",
+    bound(t3 = 0.51, v0 = 0.51, k = 0.51),
     results(
         t3(worksheet = "s5S3_t3", unit = "s"),
         v0(worksheet = "s5S3_v0", unit = "m/s"),
@@ -192,24 +178,17 @@ pub fn inner_ramp(
     require!(compensated!(6.0 * delta_x - t0 * a0 * (2.0 * t0 + 3.0 * t2)) > 0.0, "6*DeltaX > a0*t0*(2*t0+3*t2)");
     // compensated
     let cancelling = compensated!(6.0 * delta_x - t0 * a0 * (2.0 * t0 + 3.0 * t2));
-    // gathered
-    let polynomial = compensated!(
-        3.0 * a0 * (2.0 * t0 + t2) * (3.0 * a0 * (2.0 * t0 + t2))
-        + 16.0 * a0 * (6.0 * delta_x - t0 * a0 * (2.0 * t0 + 3.0 * t2))
-    );
-    let root = sqrt(polynomial);
-    // gathered
-    let polynomial2 = compensated!(3.0 * a0 * (2.0 * t0 + t2));
-    // gathered
-    let polynomial3 = compensated!(t0 * t0 * t2 * a0);
-    // gathered
-    let polynomial4 = compensated!(t0 * t0 * a0 * (t2 * a0 * (3.0 * t2 - 2.0 * t0) + 16.0 * delta_x));
-    // gathered
-    let polynomial5 = compensated!(12.0 * delta_x * (4.0 * delta_x - t0 * t2 * a0));
+    // factored
+    let product = 3.0 * a0 * (2.0 * t0 + t2);
+    let root = sqrt(product * product + 16.0 * a0 * cancelling);
+    // compensated
+    let cancelling2 = compensated!(t2 * a0 * (3.0 * t2 - 2.0 * t0) + 16.0 * delta_x);
+    // compensated
+    let cancelling3 = compensated!(4.0 * delta_x - t0 * t2 * a0);
     InnerRamp {
-        t3: 2.0 * cancelling / (root + polynomial2),
+        t3: 2.0 * cancelling / (root + product),
         v0: 0.5 * t0 * a0,
-        k: (polynomial3 * root + polynomial4) / polynomial5,
+        k: t0 * t0 * a0 * (t2 * root + cancelling2) / (12.0 * delta_x * cancelling3),
     }
 }
 
@@ -1026,7 +1005,7 @@ pub fn dtau_da2_max(
 ///
 /// # Error
 ///
-/// - at most 6.51 ulp, barring overflow and underflow
+/// - at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 %o106 to %o109.
 #[kernel(
@@ -1034,8 +1013,9 @@ pub fn dtau_da2_max(
     maxima = "K_of_tIn(tIn,tEFSkip,delta):=-(tEFSkip*tIn^2*sqrt(4*tIn^2-12*tEFSkip*tIn+9*tEFSkip^2+96*delta)-2*tEFSkip*tIn^3+3*tEFSkip^2*tIn^2+16*delta*tIn^2)/(12*delta*tEFSkip*tIn-48*delta^2)",
     latex = "K_{\\mathrm{of},\\mathrm{tIn}} = \\frac{-\\left(t_{\\mathrm{EFSkip}}\\,t_{\\mathrm{In}}^{2}\\,\\sqrt{4\\,t_{\\mathrm{In}}^{2}-12\\,t_{\\mathrm{EFSkip}}\\,t_{\\mathrm{In}}+9\\,t_{\\mathrm{EFSkip}}^{2}+96\\,\\delta}-2\\,t_{\\mathrm{EFSkip}}\\,t_{\\mathrm{In}}^{3}+3\\,t_{\\mathrm{EFSkip}}^{2}\\,t_{\\mathrm{In}}^{2}+16\\,\\delta\\,t_{\\mathrm{In}}^{2}\\right)}{12\\,\\delta\\,t_{\\mathrm{EFSkip}}\\,t_{\\mathrm{In}}-48\\,\\delta^{2}}",
     source = "2.3.1 %o106 to %o109",
-    rules("compensated", "distributed", "factored", "gathered"),
-    bound = 6.51,
+    rules("compensated", "double-double", "factored"),
+    precision = "double-double",
+    bound = 0.51,
     result(worksheet = "K_of_tIn", unit = "1"),
 )]
 pub fn k_of_t_in(
@@ -1048,14 +1028,12 @@ pub fn k_of_t_in(
     require!(delta > 0.0, "delta > 0");
     require!(compensated!(6.0 * delta - t_in * (2.0 * t_in + 3.0 * t_ef_skip)) > 0.0, "12*delta > 4*tIn^2+6*tIn*tEFSkip");
     // compensated
-    let cancelling = compensated!(96.0 * delta + (3.0 * t_ef_skip - 2.0 * t_in) * (3.0 * t_ef_skip - 2.0 * t_in));
-    let root = sqrt(cancelling);
-    // gathered
-    let polynomial = compensated!(t_in * t_in * t_ef_skip);
-    // gathered
-    let polynomial2 = compensated!(t_in * t_in * (t_ef_skip * (3.0 * t_ef_skip - 2.0 * t_in) + 16.0 * delta));
-    // gathered
-    let polynomial3 = compensated!(12.0 * delta * (4.0 * delta - t_in * t_ef_skip));
-    // factored
-    (polynomial * root + polynomial2) / polynomial3
+    let cancelling = compensated!(t_ef_skip * (3.0 * t_ef_skip - 2.0 * t_in) + 16.0 * delta);
+    // compensated
+    let cancelling2 = compensated!(96.0 * delta + (3.0 * t_ef_skip - 2.0 * t_in) * (3.0 * t_ef_skip - 2.0 * t_in));
+    let root = sqrt(cancelling2);
+    // compensated
+    let cancelling3 = compensated!(4.0 * delta - t_in * t_ef_skip);
+    // factored, double-double
+    t_in * t_in * (t_ef_skip * root + cancelling) / (12.0 * delta * cancelling3)
 }

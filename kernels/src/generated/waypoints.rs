@@ -866,7 +866,7 @@ pub struct QuarticCubicQuarticAtRest {
     pub c24: f64,
 }
 
-/// Quartic, cubic and quartic segment through four points with continuous velocity and acceleration, at rest and without acceleration at both ends: the coefficients of one coordinate. The time of each begins at 0. One division serves all coefficients: the highest ones take six more roundings than with a division each.
+/// Quartic, cubic and quartic segment through four points with continuous velocity and acceleration, at rest and without acceleration at both ends: the coefficients of one coordinate. The time of each begins at 0. One division serves all coefficients.
 ///
 /// ```text
 /// wp_f_c00(P0,P1,P2,P3,t0,t1,t2):=P0
@@ -907,20 +907,20 @@ pub struct QuarticCubicQuarticAtRest {
 ///
 /// # Error
 ///
-/// - `c00`: at most 0 ulp, barring overflow and underflow
-/// - `c10`: at most 0 ulp, barring overflow and underflow
-/// - `c20`: at most 0 ulp, barring overflow and underflow
-/// - `c01`: at most 0 ulp, barring overflow and underflow
-/// - `c02`: at most 0 ulp, barring overflow and underflow
-/// - `c11`: at most 4.01 ulp, barring overflow and underflow
-/// - `c21`: at most 4.01 ulp, barring overflow and underflow
-/// - `c12`: at most 4.01 ulp, barring overflow and underflow
-/// - `c22`: at most 4.01 ulp, barring overflow and underflow
-/// - `c03`: at most 9.01 ulp, barring overflow and underflow
-/// - `c13`: at most 9.01 ulp, barring overflow and underflow
-/// - `c23`: at most 9.01 ulp, barring overflow and underflow
-/// - `c04`: at most 9.01 ulp, barring overflow and underflow
-/// - `c24`: at most 9.01 ulp, barring overflow and underflow
+/// - `c00`: at most 0.5 ulp, barring overflow and underflow of the result
+/// - `c10`: at most 0.5 ulp, barring overflow and underflow of the result
+/// - `c20`: at most 0.5 ulp, barring overflow and underflow of the result
+/// - `c01`: at most 0.5 ulp, barring overflow and underflow of the result
+/// - `c02`: at most 0.5 ulp, barring overflow and underflow of the result
+/// - `c11`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `c21`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `c12`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `c22`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `c03`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `c13`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `c23`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `c04`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `c24`: at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: problem (f), stated there.
 #[kernel(
@@ -928,8 +928,9 @@ pub struct QuarticCubicQuarticAtRest {
     maxima = "wp_f_c00(P0,P1,P2,P3,t0,t1,t2):=P0\nwp_f_c10(P0,P1,P2,P3,t0,t1,t2):=P1\nwp_f_c20(P0,P1,P2,P3,t0,t1,t2):=P2\nwp_f_c01(P0,P1,P2,P3,t0,t1,t2):=0\nwp_f_c02(P0,P1,P2,P3,t0,t1,t2):=0\nwp_f_c11(P0,P1,P2,P3,t0,t1,t2):=(2*(P1-P0)*t1^2*t2*(2*t2+3*t1)+(P2-P1)*t0^2*t2*(t2+3*t1)-2*(P3-P2)*t0^2*t1^2)/(t0*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c21(P0,P1,P2,P3,t0,t1,t2):=(-2*(P1-P0)*t1^2*t2^2+(P2-P1)*t0*(3*t1+t0)*t2^2+2*(P3-P2)*t0*t1^2*(3*t1+2*t0))/(t0*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c12(P0,P1,P2,P3,t0,t1,t2):=(3*(P2-P1)*t0*t2*(t2+3*t1)-6*(P1-P0)*t1*t2*(t2+2*t1)-6*(P3-P2)*t0*t1^2)/(t0*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c22(P0,P1,P2,P3,t0,t1,t2):=(6*(P1-P0)*t1^2*t2-3*(P2-P1)*t0*(3*t1+t0)*t2+6*(P3-P2)*t0*t1*(2*t1+t0))/(t0*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c03(P0,P1,P2,P3,t0,t1,t2):=(2*(P1-P0)*t1*t2*(2*t1*t2+2*t0*t2+3*t1^2+4*t0*t1)-(P2-P1)*t0^2*t2*(t2+3*t1)+2*(P3-P2)*t0^2*t1^2)/(t0^3*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c13(P0,P1,P2,P3,t0,t1,t2):=(-(P2-P1)*t0*t2*(t2+6*t1+t0)+2*(P1-P0)*t1*t2*(t2+3*t1)+2*(P3-P2)*t0*t1*(3*t1+t0))/(t0*t1^2*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c23(P0,P1,P2,P3,t0,t1,t2):=(-6*(P1-P0)*t1^2*t2^2+3*(P2-P1)*t0*(3*t1+t0)*t2^2-2*(P3-P2)*t0*t1*(8*t1*t2+4*t0*t2+3*t1^2+2*t0*t1))/(t0*t1*t2^3*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c04(P0,P1,P2,P3,t0,t1,t2):=(-(P1-P0)*t1*t2*(2*t1*t2+3*t0*t2+3*t1^2+6*t0*t1)+(P2-P1)*t0^2*t2*(t2+3*t1)-2*(P3-P2)*t0^2*t1^2)/(t0^4*t1*t2*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))\nwp_f_c24(P0,P1,P2,P3,t0,t1,t2):=(2*(P1-P0)*t1^2*t2^2-(P2-P1)*t0*(3*t1+t0)*t2^2+(P3-P2)*t0*t1*(6*t1*t2+3*t0*t2+3*t1^2+2*t0*t1))/(t0*t1*t2^4*(2*t1*t2+t0*t2+3*t1^2+2*t0*t1))",
     latex = "\\mathrm{wp}_{f,c,00} = P_{0} \\\\ \\mathrm{wp}_{f,c,10} = P_{1} \\\\ \\mathrm{wp}_{f,c,20} = P_{2} \\\\ \\mathrm{wp}_{f,c,01} = 0 \\\\ \\mathrm{wp}_{f,c,02} = 0 \\\\ \\mathrm{wp}_{f,c,11} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}\\,\\left(2\\,t_{2}+3\\,t_{1}\\right)+\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,21} = \\frac{\\left(-2\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}+\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}\\,\\left(3\\,t_{1}+2\\,t_{0}\\right)}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,12} = \\frac{3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-6\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(t_{2}+2\\,t_{1}\\right)-6\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}^{2}}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,22} = \\frac{6\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}-3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}+6\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(2\\,t_{1}+t_{0}\\right)}{t_{0}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,03} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+2\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+4\\,t_{0}\\,t_{1}\\right)-\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}^{3}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,13} = \\frac{\\left(-\\left(P_{2}-P_{1}\\right)\\right)\\,t_{0}\\,t_{2}\\,\\left(t_{2}+6\\,t_{1}+t_{0}\\right)+2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)+2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(3\\,t_{1}+t_{0}\\right)}{t_{0}\\,t_{1}^{2}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,23} = \\frac{\\left(-6\\right)\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}+3\\,\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(8\\,t_{1}\\,t_{2}+4\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}{t_{0}\\,t_{1}\\,t_{2}^{3}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,04} = \\frac{\\left(-\\left(P_{1}-P_{0}\\right)\\right)\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+6\\,t_{0}\\,t_{1}\\right)+\\left(P_{2}-P_{1}\\right)\\,t_{0}^{2}\\,t_{2}\\,\\left(t_{2}+3\\,t_{1}\\right)-2\\,\\left(P_{3}-P_{2}\\right)\\,t_{0}^{2}\\,t_{1}^{2}}{t_{0}^{4}\\,t_{1}\\,t_{2}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)} \\\\ \\mathrm{wp}_{f,c,24} = \\frac{2\\,\\left(P_{1}-P_{0}\\right)\\,t_{1}^{2}\\,t_{2}^{2}-\\left(P_{2}-P_{1}\\right)\\,t_{0}\\,\\left(3\\,t_{1}+t_{0}\\right)\\,t_{2}^{2}+\\left(P_{3}-P_{2}\\right)\\,t_{0}\\,t_{1}\\,\\left(6\\,t_{1}\\,t_{2}+3\\,t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}{t_{0}\\,t_{1}\\,t_{2}^{4}\\,\\left(2\\,t_{1}\\,t_{2}+t_{0}\\,t_{2}+3\\,t_{1}^{2}+2\\,t_{0}\\,t_{1}\\right)}",
     source = "problem (f), stated there",
-    rules("compensated", "factored", "gathered", "one-reciprocal"),
-    bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c02 = 0.0, c11 = 4.01, c21 = 4.01, c12 = 4.01, c22 = 4.01, c03 = 9.01, c13 = 9.01, c23 = 9.01, c04 = 9.01, c24 = 9.01),
+    rules("compensated", "double-double", "factored", "one-reciprocal"),
+    precision = "double-double",
+    bound(c00 = 0.5, c10 = 0.5, c20 = 0.5, c01 = 0.5, c02 = 0.5, c11 = 0.51, c21 = 0.51, c12 = 0.51, c22 = 0.51, c03 = 0.51, c13 = 0.51, c23 = 0.51, c04 = 0.51, c24 = 0.51),
     results(
         c00(worksheet = "wp_f_c00", unit = "m"),
         c10(worksheet = "wp_f_c10", unit = "m"),
@@ -959,77 +960,75 @@ pub fn quartic_cubic_quartic_at_rest(
     require!(t0 > 0.0, "t0 > 0");
     require!(t1 > 0.0, "t1 > 0");
     require!(t2 > 0.0, "t2 > 0");
-    let cancelling = compensated!(t0 * t0 * t1 * t2 * t2 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
-    // one-reciprocal
-    let quotient = 1.0 / cancelling;
+    // compensated
+    let cancelling = compensated!(
+        t0 * t0 * (t2 * (p1 - p2) * (3.0 * t1 + t2) + 2.0 * t1 * t1 * (p3 - p2))
+        + 2.0 * t1 * t1 * t2 * (p0 - p1) * (3.0 * t1 + 2.0 * t2)
+    );
+    let sum = t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2;
+    // compensated
     let cancelling2 = compensated!(
-        t0
-        * t2
-        * (t0 * t0 * (t2 * (p1 - p2) * (3.0 * t1 + t2) + 2.0 * t1 * t1 * (p3 - p2)) + 2.0 * t1 * t1 * t2 * (p0 - p1) * (3.0 * t1 + 2.0 * t2))
+        t2 * t2 * (t0 * (p2 - p1) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p0 - p1))
+        + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1)
     );
-    let product = quotient * cancelling2;
+    // compensated
     let cancelling3 = compensated!(
-        t0
-        * t2
-        * (t2 * t2 * (t0 * (p2 - p1) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p0 - p1)) + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
+        t2 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 2.0 * t1 * (p1 - p0) * (2.0 * t1 + t2))
+        + 2.0 * t0 * t1 * t1 * (p3 - p2)
     );
+    // compensated
     let cancelling4 = compensated!(
-        3.0
-        * t0
-        * t2
-        * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 2.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + 2.0 * t0 * t1 * t1 * (p3 - p2))
+        t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0))
+        + 2.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0)
     );
-    let product2 = quotient * cancelling4;
+    // compensated
     let cancelling5 = compensated!(
-        3.0
-        * t0
-        * t2
-        * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 2.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0))
+        t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 4.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + 2.0 * t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2))
+        + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2)
     );
+    let product = t0 * t0;
+    // compensated
     let cancelling6 = compensated!(
-        t0
-        * t2
-        * (t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 4.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + 2.0 * t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2)) + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2))
+        t0 * (t2 * (p1 - p2) * (t0 + (6.0 * t1 + t2)) + 2.0 * t1 * (p3 - p2) * (3.0 * t1 + t0))
+        + 2.0 * t1 * t2 * (p1 - p0) * (3.0 * t1 + t2)
     );
-    let cancelling7 = compensated!(t1 * t2 * t2 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
-    let product3 = cancelling7 * quotient;
+    // compensated
+    let cancelling7 = compensated!(
+        t2 * (3.0 * t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 8.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0))
+        + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1)
+    );
+    // compensated
     let cancelling8 = compensated!(
-        t0
-        * t2
-        * (t0 * (t2 * (p1 - p2) * (t0 + (6.0 * t1 + t2)) + 2.0 * t1 * (p3 - p2) * (3.0 * t1 + t0)) + 2.0 * t1 * t2 * (p1 - p0) * (3.0 * t1 + t2))
+        t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 3.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2))
+        + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2)
     );
-    let cancelling9 = compensated!(t0 * t0 * t2 * t2 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
-    let cancelling10 = compensated!(
-        t0
-        * t2
-        * (t2 * (3.0 * t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 8.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0)) + 2.0 * t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
+    // compensated
+    let cancelling9 = compensated!(
+        t2 * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 3.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0))
+        + t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1)
     );
-    let cancelling11 = compensated!(t0 * t0 * t1 * (t1 * (2.0 * t0 + (3.0 * t1 + 2.0 * t2)) + t0 * t2));
-    let product4 = cancelling11 * quotient;
-    let product5 = product4 * (quotient * cancelling10);
-    let cancelling12 = compensated!(
-        t2
-        * (t2 * (t0 * (t0 * (p1 - p2) * (3.0 * t1 + t2) + 3.0 * t1 * (p1 - p0) * (2.0 * t1 + t2)) + t1 * t1 * (p1 - p0) * (3.0 * t1 + 2.0 * t2)) + 2.0 * t0 * t0 * t1 * t1 * (p3 - p2))
-    );
-    let product6 = product3 * (quotient * cancelling12);
-    let cancelling13 = compensated!(
-        t0
-        * (t2 * (t2 * (t0 * (p1 - p2) * (3.0 * t1 + t0) + 2.0 * t1 * t1 * (p1 - p0)) + 3.0 * t0 * t1 * (p3 - p2) * (2.0 * t1 + t0)) + t0 * t1 * t1 * (p3 - p2) * (2.0 * t0 + 3.0 * t1))
-    );
+    let product2 = product * t1;
+    // one-reciprocal
+    let quotient = 1.0 / (product2 * t2 * t2 * sum);
+    let product3 = quotient * (cancelling * t0 * t2);
+    let product4 = t1 * t2 * t2 * sum * quotient;
+    let product5 = product2 * sum * quotient;
+    let product6 = product5 * (quotient * (cancelling7 * t0 * t2));
+    let product7 = product4 * (quotient * (cancelling8 * t2));
     QuarticCubicQuarticAtRest {
         c00: p0,
         c10: p1,
         c20: p2,
         c01: 0.0,
         c02: 0.0,
-        c11: -product,
-        c21: cancelling3 * quotient,
-        c12: -product2,
-        c22: cancelling5 * quotient,
-        c03: cancelling6 * quotient * product3,
-        c13: cancelling8 * quotient * (cancelling9 * quotient),
-        c23: -product5,
-        c04: -product6,
-        c24: cancelling13 * quotient * product4,
+        c11: -product3,
+        c21: cancelling2 * t0 * t2 * quotient,
+        c12: -3.0 * cancelling3 * t0 * t2 * quotient,
+        c22: 3.0 * cancelling4 * t0 * t2 * quotient,
+        c03: cancelling5 * t0 * t2 * quotient * product4,
+        c13: cancelling6 * t0 * t2 * quotient * (product * t2 * t2 * sum * quotient),
+        c23: -product6,
+        c04: -product7,
+        c24: cancelling9 * t0 * quotient * product5,
     }
 }

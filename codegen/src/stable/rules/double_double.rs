@@ -9,12 +9,13 @@ use std::collections::HashMap;
 pub const RULE: Rule = Rule {
     name: "double-double",
     statement: "every step is taken in double-double, and only results are rounded",
-    condition: "the contract asks for few roundings, a result would have a bound of more than 2 ulp otherwise, and no \
-                root is iterated: it costs more time than slices",
+    condition: "a result would have a bound of more than 5 ulp otherwise, or of more than 2 where the contract asks for few \
+                roundings; and no root is iterated",
 };
 
-/// A bound that is small enough where few roundings are asked for, in units of 2^-53.
-const ENOUGH: f64 = 2.0;
+/// A bound that is small enough, in units of 2^-53; and where few roundings are asked for.
+const ENOUGH: f64 = 5.0;
+const FEW: f64 = 2.0;
 
 /// What a step in double-double adds to a relative error, in units of 2^-53: 15 * 2^-53, rounded up with all terms of
 /// higher order.
@@ -24,8 +25,9 @@ const STEP: f64 = 1e-6;
 const COMPENSATED: f64 = 0.001;
 
 /// Whether the results are taken in double-double, since what is gathered is not enough.
-pub fn apply(builder: &mut Builder, results: &[Node], gathered: &[Node]) -> bool {
-    let enough = gathered.iter().all(|&result| builder.graph.error(result) <= ENOUGH);
+pub fn apply(builder: &mut Builder, results: &[Node], gathered: &[Node], few_roundings: bool) -> bool {
+    let most = if few_roundings { FEW } else { ENOUGH };
+    let enough = gathered.iter().all(|&result| builder.graph.error(result) <= most);
     if enough || results.iter().any(|&result| !error(&builder.graph, result).is_finite()) {
         return false;
     }

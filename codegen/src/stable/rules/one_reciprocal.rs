@@ -4,7 +4,7 @@ use super::Rule;
 use crate::field::Sign;
 use crate::program::{Graph, Node, Op, Wide};
 use crate::stable::builder::Builder;
-use crate::stable::slices::{fits, in_order};
+use crate::stable::slices::{fits, in_order, in_steps};
 use num_rational::BigRational;
 use num_traits::One;
 
@@ -28,8 +28,26 @@ struct Quotient {
 #[derive(Clone, Default)]
 struct Factors(Vec<(Wide, usize)>);
 
+/// How a product is evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Products {
+    /// As a slice, which takes one rounding.
+    Slices,
+    /// In steps, for a program in double-double, whose roundings do not count.
+    Steps,
+}
+
+impl Products {
+    fn make(self, graph: &mut Graph, product: Wide) -> Node {
+        match self {
+            Self::Slices => in_order(graph, product, Sign::ANY).1,
+            Self::Steps => in_steps(graph, product, Sign::ANY),
+        }
+    }
+}
+
 /// The results, those that are quotients through one reciprocal.
-pub fn apply(builder: &mut Builder, results: &[Node]) -> Vec<Node> {
+pub fn apply(builder: &mut Builder, results: &[Node], products: Products) -> Vec<Node> {
     let quotients: Vec<Option<Quotient>> = results.iter().map(|&result| quotient(&builder.graph, result)).collect();
     let mut shared = Factors::default();
     quotients.iter().flatten().for_each(|quotient| shared.take_largest(&quotient.denominator));
@@ -39,13 +57,13 @@ pub fn apply(builder: &mut Builder, results: &[Node]) -> Vec<Node> {
         return results.to_vec();
     }
     let one = builder.graph.constant(&BigRational::one());
-    let (_, whole) = in_order(&mut builder.graph, whole, Sign::ANY);
+    let whole = products.make(&mut builder.graph, whole);
     let reciprocal = builder.graph.div(one, whole);
     builder.apply(&RULE, reciprocal);
     let through = |(&result, quotient): (&Node, &Option<Quotient>)| {
         quotient
             .as_ref()
-            .and_then(|quotient| quotient.through(&mut builder.graph, &shared, reciprocal))
+            .and_then(|quotient| quotient.through(&mut builder.graph, &shared, reciprocal, products))
             .unwrap_or(result)
     };
     results.iter().zip(&quotients).map(through).collect()
@@ -53,7 +71,7 @@ pub fn apply(builder: &mut Builder, results: &[Node]) -> Vec<Node> {
 
 impl Quotient {
     /// The quotient as products with the reciprocal of what is shared; `None` where a numerator grows too long.
-    fn through(&self, graph: &mut Graph, shared: &Factors, reciprocal: Node) -> Option<Node> {
+    fn through(&self, graph: &mut Graph, shared: &Factors, reciprocal: Node, products: Products) -> Option<Node> {
         let mut rest = Factors::default();
         let mut inverses = Vec::new();
         for (factor, power) in &shared.0 {
@@ -67,12 +85,12 @@ impl Quotient {
         if !std::iter::once(&scaled).chain(inverses.iter().flatten()).all(fits) {
             return None;
         }
-        let (_, scaled) = in_order(graph, scaled, Sign::ANY);
+        let scaled = products.make(graph, scaled);
         let mut value = graph.mul(scaled, reciprocal);
         for others in inverses {
             let inverse = match others {
                 Some(others) => {
-                    let (_, others) = in_order(graph, others, Sign::ANY);
+                    let others = products.make(graph, others);
                     graph.mul(others, reciprocal)
                 }
                 None => reciprocal,
