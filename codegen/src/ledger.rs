@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use closedform_maxima::{Expr, evaluate_double};
-use closedform_syntax::{Operations, Precision, operations_of};
+use closedform_syntax::{Operations, Precision, operations, operations_of};
 use miette::{Diagnostic, IntoDiagnostic};
 use serde::Serialize;
 use thiserror::Error;
@@ -60,6 +60,9 @@ pub struct Row {
     /// The bound as a number.
     #[serde(skip)]
     pub bound: f64,
+    /// The worst error of the formula as Maxima writes it, as a number.
+    #[serde(skip)]
+    pub naive: Option<f64>,
 }
 
 /// Why there is no ledger.
@@ -95,6 +98,19 @@ pub fn rows(root: &Path, catalogue: &Catalogue, points: u32) -> Result<Vec<Row>,
 /// The worst error of all results of a kernel.
 pub fn worst_of(rows: &[Row], kernel: &str) -> f64 {
     rows.iter().filter(|row| row.kernel == kernel).map(|row| row.worst).fold(0.0, f64::max)
+}
+
+/// The worst error of the formulas of a kernel as Maxima writes them; `None` where one has no such form.
+pub fn naive_of(rows: &[Row], kernel: &str) -> Option<f64> {
+    rows.iter().filter(|row| row.kernel == kernel).try_fold(0.0, |worst: f64, row| Some(worst.max(row.naive?)))
+}
+
+/// What all results of a kernel cost, in additions: as Maxima writes them, if it has such a form, by the plain call, and
+/// by the faithful one.
+pub fn costs_of(rows: &[Row], entry: &Entry) -> (Option<u32>, u32, u32) {
+    let (name, count) = (entry.full_name(), operations(&entry.kernel));
+    let naive = rows.iter().filter(|row| row.kernel == name).map(|row| row.naive_cost).sum();
+    (naive, cost::plain(&count, entry.kernel.meta.precision), cost::faithful(&count))
 }
 
 /// The ledger as it should be, and as it is; `None` in a project that has no judges to keep one.
@@ -189,6 +205,7 @@ fn row(entry: &Entry, position: usize, formula: &Expr, measured: &Measured) -> R
         naive_cost: cost::naive(formula),
         worst: measured.worst,
         bound: result.bound.unwrap_or(f64::INFINITY),
+        naive: measured.naive,
     }
 }
 

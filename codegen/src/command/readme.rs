@@ -1,7 +1,7 @@
 //! The table of kernels in README.md: written by `generate`, compared by `check`.
 
 use crate::catalogue::{Catalogue, Entry};
-use crate::ledger::{Row, worst_of};
+use crate::ledger::{Row, costs_of, naive_of, worst_of};
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{fs, io};
@@ -42,20 +42,33 @@ fn write(root: &Path, text: &str) -> io::Result<()> {
 }
 
 fn table(catalogue: &Catalogue, rows: &[Row]) -> String {
-    let mut text =
-        String::from("| kernel | what it computes | domain | bound, ulp | worst measured |\n|---|---|---|---|---|\n");
+    let mut text = String::from(
+        "| kernel | what it computes | domain | bound, ulp | worst measured | formula, ulp | costs |\n|---|---|---|---|---|---|---|\n",
+    );
     for entry in catalogue.entries() {
+        let (naive, plain, faithful) = costs_of(rows, entry);
+        let naive = naive.map_or_else(|| "-".to_owned(), |cost| cost.to_string());
         let _ = writeln!(
             text,
-            "| `{}` | {} | {} | {} | {:.2} |",
+            "| `{}` | {} | {} | {} | {:.2} | {} | {naive} {plain} {faithful} |",
             entry.full_name(),
             entry.kernel.meta.summary.trim_end_matches('.'),
             domain(entry),
             bound(entry),
-            worst_of(rows, &entry.full_name())
+            worst_of(rows, &entry.full_name()),
+            naive_of(rows, &entry.full_name()).map_or_else(|| "-".to_owned(), short),
         );
     }
     text
+}
+
+/// An error of some ulp to a digit behind the point, a larger one as a power of ten.
+fn short(ulp: f64) -> String {
+    match ulp {
+        _ if ulp.is_infinite() => "all digits".to_owned(),
+        _ if ulp < 1e3 => format!("{ulp:.1}"),
+        _ => format!("1e{}", ulp.log10().floor()),
+    }
 }
 
 fn domain(entry: &Entry) -> String {
