@@ -48,7 +48,8 @@ use syn::ItemFn;
 ///
 /// All keys are optional: `family`, `maxima`, `latex`, `source` are texts; `rules("..", "..")` names rewrites; `bound = 4`
 /// promises an error in ulp; `result(worksheet = "..", unit = "..")` describes the result. For a struct write
-/// `bound(field = 4)` and `results(field(worksheet = "..", unit = ".."))`.
+/// `bound(field = 4)` and `results(field(worksheet = "..", unit = ".."))`. With `precision = "double-double"` every shape
+/// is computed as `faithful` is, and only rounded at the end.
 ///
 /// # What it becomes
 ///
