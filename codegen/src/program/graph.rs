@@ -199,13 +199,21 @@ impl Graph {
         self.div(numerator, denominator)
     }
 
-    /// An integer of any size: those beyond 53 bits are rounded once.
+    /// An integer of any size: one beyond 53 bits is a sum.
     fn integer_constant(&mut self, value: &BigRational) -> Node {
         if is_exact(value) {
             return self.push(Op::Literal(value.clone()), Sign::of(value), 0.0);
         }
-        let rounded = value.to_f64().and_then(BigRational::from_float).unwrap_or_else(BigRational::zero);
-        self.push(Op::Literal(rounded), Sign::of(value), ROUNDING)
+        let rounded = value.to_f64().and_then(BigRational::from_float).filter(is_exact);
+        let Some(rounded) = rounded else {
+            // beyond what a literal may be: the proof refuses it
+            return self.push(Op::Literal(BigRational::zero()), Sign::ANY, f64::INFINITY);
+        };
+        let rest = self.integer_constant(&(value - &rounded));
+        let leading = self.integer_constant(&rounded);
+        let sum = self.add(leading, rest);
+        self.learn(sum, Sign::of(value));
+        sum
     }
 
     /// The value of a literal.

@@ -50,17 +50,25 @@ fn collect(expr: &Expr, texts: &mut Vec<String>) {
 
 /// `base^exponent`: a half needs a radicand, a minus a denominator.
 fn power(base: &Expr, exponent: &Expr, texts: &mut Vec<String>) {
-    let negative = matches!(&exponent.kind, ExprKind::Unary { operator: UnaryOperator::Minus, .. });
-    let exponent = match &exponent.kind {
-        ExprKind::Unary { operator: UnaryOperator::Minus, operand } => operand,
-        _ => exponent,
+    let (negative, exponent) = magnitude(exponent);
+    let (below, fraction) = match &exponent.kind {
+        ExprKind::Binary { operator: BinaryOperator::Divide, left, .. } => (magnitude(left).0, true),
+        ExprKind::Float(_) => (false, true),
+        _ => (false, false),
     };
-    let fraction = matches!(&exponent.kind, ExprKind::Binary { operator: BinaryOperator::Divide, .. });
-    match (fraction, negative) {
+    match (fraction, negative != below) {
         (true, true) => condition(base, ">", texts),
         (true, false) => condition(base, ">=", texts),
         (false, true) => not_zero(base, texts),
         (false, false) => {}
+    }
+}
+
+/// The number without its minus, and whether it has one.
+fn magnitude(number: &Expr) -> (bool, &Expr) {
+    match &number.kind {
+        ExprKind::Unary { operator: UnaryOperator::Minus, operand } => (true, operand),
+        _ => (false, number),
     }
 }
 
@@ -121,6 +129,8 @@ mod tests {
         assert_eq!(texts("sqrt(x+1)-sqrt(x)", &["x"]), ["x+1 >= 0", "x >= 0"]);
         assert_eq!(texts("1/(1/f+1/g)", &["f", "g"]), ["f # 0", "g # 0", "1/f+1/g # 0"]);
         assert_eq!(texts("x^(-3)*y^(1/2)/sqrt(z)", &["x", "y", "z"]), ["x # 0", "y >= 0", "z >= 0", "z > 0"]);
+        assert_eq!(texts("x^(-1/2)", &["x"]), ["x > 0"]);
+        assert_eq!(texts("x^-(1/2)*y^0.5", &["x", "y"]), ["x > 0", "y >= 0"]);
         assert_eq!(texts("a/(2*b)", &["a", "b"]), ["b # 0"]);
         assert_eq!(texts("a/%pi+a^2", &["a"]), [""; 0]);
     }
