@@ -205,6 +205,8 @@ mod tests {
     #[test]
     fn roots_and_quotients_are_atoms_of_known_sign() {
         assert_eq!(bound("require!(x > 0.0);", "let r = sqrt(x * x + y * y); r * x + x"), Ok(4.0));
+        assert_eq!(bound("", "x * x * (y - z) * (y - z) + 1.0"), Ok(6.0));
+        assert!(bound("", "x * x * (y - z) * (y - x) + 1.0").is_err());
         assert_eq!(bound(POSITIVE, "x + x / (y + z)"), Ok(3.0));
         assert!(bound(POSITIVE, "x + x / (y - z)").is_err());
         assert!(bound("require!(x > 0.0);", "let r = sqrt(x * x + y * y); r * x + y").is_err());

@@ -222,14 +222,25 @@ impl<'k> Counter<'k> {
             Expr::Neg(inner) => part(inner).negated(),
             Expr::Binary { op: BinaryOp::Add, left, right } => term(left).plus(term(right)),
             Expr::Binary { op: BinaryOp::Sub, left, right } => term(left).plus(term(right).negated()),
-            Expr::Binary { op: BinaryOp::Mul, left, right } if self.forms.of(left) == self.forms.of(right) => {
-                part(left).power(2)
-            }
+            Expr::Binary { op: BinaryOp::Mul, .. } => self.sign_of_product(expr, &part),
             Expr::Binary { left, right, .. } => part(left).times(part(right)),
             Expr::Compensated(slice) => part(&slice.value),
             Expr::Name(name) => self.forms.step(name.slot).map_or(Sign::ANY, part),
             _ => Sign::ANY,
         }
+    }
+
+    /// The sign of a product: of equal factors, that of a power.
+    fn sign_of_product(&self, product: &'k Expr, part: &dyn Fn(&'k Expr) -> Sign) -> Sign {
+        let mut powers: Vec<(&'k Expr, u32)> = Vec::new();
+        for factor in factors(product) {
+            match powers.iter_mut().find(|(known, _)| self.forms.of(known) == self.forms.of(factor)) {
+                Some((_, power)) => *power += 1,
+                None => powers.push((factor, 1)),
+            }
+        }
+        let signs = powers.into_iter().map(|(factor, power)| part(factor).power(power));
+        signs.reduce(Sign::times).unwrap_or(Sign::ANY)
     }
 
     /// The sign of a polynomial.
@@ -284,6 +295,14 @@ impl<'k> Counter<'k> {
             }
             Meaning::Opaque(_) => Sign::ANY,
         }
+    }
+}
+
+/// The factors of a product, as they are written.
+fn factors(expr: &Expr) -> Vec<&Expr> {
+    match expr {
+        Expr::Binary { op: BinaryOp::Mul, left, right } => [factors(left), factors(right)].concat(),
+        factor => vec![factor],
     }
 }
 
