@@ -234,6 +234,10 @@ impl Graph {
                 let turned = self.neg(x);
                 self.mul(turned, y)
             }
+            Op::Div(x, y) if self.begins_with_minus(x) => {
+                let turned = self.neg(x);
+                self.div(turned, y)
+            }
             Op::Sub(x, y) => {
                 let turned = self.sub(y, x);
                 self.with_error(turned, -self.sign(a), self.error(a))

@@ -5,6 +5,7 @@ use crate::algebra::Polynomial;
 use crate::field::{Radical, Sign, TowerError, conjugate, parts};
 use crate::program::Node;
 use crate::stable::builder::{Builder, Quotient};
+use num_traits::Signed;
 
 /// The rule.
 pub const RULE: Rule = Rule {
@@ -38,7 +39,7 @@ pub fn apply(
         return Ok(node);
     }
     let condition = {
-        let a = builder.surd(&rational, Quotient::one())?;
+        let a = of_one_sign(builder, &rational)?;
         let b = builder.surd(&surd, Quotient::one())?;
         sign_branch::agree(builder, (a, left), (b, right))?
     };
@@ -84,10 +85,20 @@ fn rationalised(
     builder.surd(&norm, quotient)
 }
 
+/// A polynomial, or the negative of the steps of its negative: both mean the same branches where it has radicals.
+fn of_one_sign(builder: &mut Builder, polynomial: &Polynomial) -> Result<Node, TowerError> {
+    let negative = polynomial.terms().first().is_some_and(|term| term.coefficient.is_negative());
+    if !negative || builder.tower.top_radical(polynomial).is_none() {
+        return builder.surd(polynomial, Quotient::one());
+    }
+    let turned = builder.surd(&polynomial.negated(), Quotient::one())?;
+    Ok(builder.graph.neg(turned))
+}
+
 /// `a + b*sqrt(r)` in plain arithmetic; the caller knows that both terms have the given sign.
 fn sum_of_one_sign(builder: &mut Builder, sum: &Polynomial, radical: &Radical, sign: Sign) -> Result<Node, TowerError> {
     let (rational, surd) = parts(sum, radical.var);
-    let a = builder.surd(&rational, Quotient::one())?;
+    let a = of_one_sign(builder, &rational)?;
     let root = builder.tower.ring().variable(radical.var);
     let b = builder.surd(&surd.times(&root), Quotient::one())?;
     let node = builder.graph.add(b, a);
