@@ -76,7 +76,10 @@ pub enum PipelineError {
         cause: ProofError,
     },
     /// A bound is not what the Rust text proves.
-    #[error("kernel `{kernel}`: its bound is not re-derived from the Rust text:\n{cause}")]
+    #[error(
+        "kernel `{kernel}`: its bound is not re-derived from the Rust text:\n{cause}\nin a generated kernel: say more of \
+         the signs in a contract's domain, or split the formula"
+    )]
     Bound {
         /// `family::name`
         kernel: String,
@@ -85,42 +88,53 @@ pub enum PipelineError {
     },
 }
 
+impl PipelineError {
+    fn is_missing(&self) -> bool {
+        matches!(self, Self::Missing(_))
+    }
+}
+
 /// Generates all families; `progress` is told the name of every kernel before it is made.
 ///
 /// # Errors
-/// When a kernel cannot be made or is not proved.
-pub fn generate(families: &[Family], mut progress: impl FnMut(&str)) -> Result<Generated, PipelineError> {
+/// Every kernel that cannot be made or is not proved.
+pub fn generate(families: &[Family], mut progress: impl FnMut(&str)) -> Result<Generated, Vec<PipelineError>> {
     let mut generated = Generated::default();
     let mut entries = Vec::new();
+    let mut causes = Vec::new();
     for family in families {
-        let kernels = make_kernels(family, &mut progress)?;
+        let (kernels, unmade) = make_kernels(family, &mut progress);
         let text = module_text(family, &kernels);
-        if let Some(cause) = unproved(family, &text)?.into_iter().next() {
-            return Err(cause);
-        }
+        let unproved = unproved(family, &text).unwrap_or_else(|cause| vec![cause]);
+        causes.extend(unproved.into_iter().filter(|cause| unmade.is_empty() || !cause.is_missing()));
+        causes.extend(unmade);
         generated.kernels.extend(kernels.iter().map(|kernel| made(&family.name, kernel)));
         entries.extend(kernels.iter().map(|kernel| (family.name.clone(), kernel.name.clone())));
         generated.files.insert(format!("{}.rs", family.name), text);
     }
     generated.files.insert("mod.rs".to_owned(), index_text(families, &entries));
-    Ok(generated)
+    if causes.is_empty() { Ok(generated) } else { Err(causes) }
 }
 
-fn make_kernels(family: &Family, progress: &mut impl FnMut(&str)) -> Result<Vec<KernelText>, PipelineError> {
-    family
-        .contract
-        .kernels
-        .iter()
-        .map(|kernel| {
-            let name = format!("{}::{}", family.name, kernel.name);
-            progress(&name);
-            let inputs = family.contract.inputs_of(kernel);
-            sample(&kernel.domain, &inputs, 1, 0)
-                .map_err(|cause| PipelineError::Empty { kernel: name.clone(), cause })?;
-            let references = references_of(family, kernel);
-            make(&family.contract, kernel, &references).map_err(|cause| PipelineError::Kernel { kernel: name, cause })
-        })
-        .collect()
+/// The kernels of a family that can be made, and why the others cannot.
+fn make_kernels(family: &Family, progress: &mut impl FnMut(&str)) -> (Vec<KernelText>, Vec<PipelineError>) {
+    let (mut kernels, mut causes) = (Vec::new(), Vec::new());
+    for kernel in &family.contract.kernels {
+        let name = format!("{}::{}", family.name, kernel.name);
+        progress(&name);
+        match make_kernel(family, kernel, name) {
+            Ok(made) => kernels.push(made),
+            Err(cause) => causes.push(cause),
+        }
+    }
+    (kernels, causes)
+}
+
+fn make_kernel(family: &Family, kernel: &KernelContract, name: String) -> Result<KernelText, PipelineError> {
+    let inputs = family.contract.inputs_of(kernel);
+    sample(&kernel.domain, &inputs, 1, 0).map_err(|cause| PipelineError::Empty { kernel: name.clone(), cause })?;
+    let references = references_of(family, kernel);
+    make(&family.contract, kernel, &references).map_err(|cause| PipelineError::Kernel { kernel: name, cause })
 }
 
 fn module_text(family: &Family, kernels: &[KernelText]) -> String {

@@ -65,9 +65,9 @@ pub enum WorkerError {
          derive` and `closedform generate`"
     ))]
     Changed(Vec<PipelineError>),
-    /// A kernel cannot be made.
-    #[error(transparent)]
-    Pipeline(#[from] PipelineError),
+    /// Kernels cannot be made.
+    #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
+    Pipeline(Vec<PipelineError>),
 }
 
 /// The name of the subcommand that does the work.
@@ -117,7 +117,8 @@ fn generated(families: &[Family]) -> Result<Generated, WorkerError> {
     let generated = generate(families, |kernel| {
         bar.set_message(kernel.to_owned());
         bar.inc(1);
-    })?;
+    })
+    .map_err(WorkerError::Pipeline)?;
     bar.finish_and_clear();
     Ok(generated)
 }
@@ -132,7 +133,7 @@ fn rederived(folder: &Path, kernels: &Path) -> Result<(), WorkerError> {
     let mut causes = Vec::new();
     for family in &families {
         let text = fs::read_to_string(kernels.join(format!("{}.rs", family.name)))?;
-        causes.extend(unproved(family, &text)?);
+        causes.extend(unproved(family, &text).unwrap_or_else(|cause| vec![cause]));
     }
     if causes.is_empty() { Ok(()) } else { Err(WorkerError::Changed(causes)) }
 }

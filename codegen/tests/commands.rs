@@ -168,6 +168,21 @@ fn a_worksheet_of_ones_own_becomes_a_crate_that_passes_its_judges() {
 }
 
 #[test]
+fn every_formula_that_no_kernel_is_made_of_is_named() {
+    let _turn = turn();
+    let folder = tempfile::tempdir().unwrap();
+    let (worksheet, out) = (folder.path().join("my.mac"), folder.path().join("mine"));
+    fs::write(&worksheet, "f(x) := sqrt(-1-x^2)$ g(x) := x+1$ h(x) := max(x,1)+1$").unwrap();
+    let said =
+        fails(&repository(), &["generate", "--input", worksheet.to_str().unwrap(), "--out", out.to_str().unwrap()]);
+    assert!(
+        said.contains("`my::f` has an empty domain") && said.contains("`my::h`") && !said.contains("my::g"),
+        "{said}"
+    );
+    assert!(!out.exists());
+}
+
+#[test]
 fn a_contract_of_a_domain_alone_keeps_two_ulp() {
     let _turn = turn();
     let folder = tempfile::tempdir().unwrap();
