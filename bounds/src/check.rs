@@ -29,9 +29,8 @@ pub struct ResultBound {
 /// One refusal for every result whose bound cannot be derived or is not the one stated.
 pub fn check(kernel: &Kernel) -> Result<Vec<ResultBound>, Vec<Refusal>> {
     let counter = Counter::new(kernel);
-    let cases = counter.domain();
+    let (cases, mut refusals) = counter.domain();
     let mut bounds = Vec::new();
-    let mut refusals = counter.undecided();
     for (value, meta) in kernel.output.values().zip(&kernel.meta.results) {
         let result = meta.name.to_string();
         let counts = cases.iter().map(|case| counter.count(value, case, &result));

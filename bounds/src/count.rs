@@ -63,14 +63,13 @@ impl<'k> Counter<'k> {
         Err(Refusal { kernel: self.kernel.name.to_string(), step: step.to_owned(), reason })
     }
 
-    /// The comparisons of the domain that rounding may turn.
-    pub fn undecided(&self) -> Vec<Refusal> {
+    /// The cases of the whole domain, and its comparisons that rounding may turn.
+    pub fn domain(&self) -> (Vec<Case>, Vec<Refusal>) {
         let mut cases = vec![Case::default()];
         let mut refusals = Vec::new();
         for require in &self.kernel.requires {
-            let open = comparisons(&require.condition)
-                .into_iter()
-                .filter(|comparison| !cases.iter().all(|case| self.decided(comparison, case).is_some()));
+            let decided = |comparison: &'k Condition| cases.iter().all(|case| self.decided(comparison, case).is_some());
+            let open = comparisons(&require.condition).into_iter().filter(|comparison| !decided(comparison));
             refusals.extend(open.map(|comparison| Refusal {
                 kernel: self.kernel.name.to_string(),
                 step: "require!".to_owned(),
@@ -79,18 +78,8 @@ impl<'k> Counter<'k> {
             let split: Vec<Case> = cases.iter().flat_map(|case| self.cases(&require.condition, true, case)).collect();
             cases = if split.len() > CASES { cases } else { split };
         }
-        refusals
-    }
-
-    /// The cases of the whole domain.
-    pub fn domain(&self) -> Vec<Case> {
-        let requires = self.kernel.requires.iter();
-        let cases = requires.fold(vec![Case::default()], |cases, require| {
-            let split: Vec<Case> = cases.iter().flat_map(|case| self.cases(&require.condition, true, case)).collect();
-            if split.len() > CASES { cases } else { split }
-        });
         cases.iter().for_each(|case| case.facts.borrow_mut().settle_atoms());
-        cases
+        (cases, refusals)
     }
 
     /// The cases of one where a condition holds, or where it does not.

@@ -88,10 +88,9 @@ pub enum PipelineError {
     },
 }
 
-impl PipelineError {
-    fn is_missing(&self) -> bool {
-        matches!(self, Self::Missing(_))
-    }
+/// What is wrong with several kernels, as one text.
+pub fn all(causes: &[PipelineError]) -> String {
+    causes.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
 /// Generates all families; `progress` is told the name of every kernel before it is made.
@@ -105,8 +104,9 @@ pub fn generate(families: &[Family], mut progress: impl FnMut(&str)) -> Result<G
     for family in families {
         let (kernels, unmade) = make_kernels(family, &mut progress);
         let text = module_text(family, &kernels);
-        let unproved = unproved(family, &text).unwrap_or_else(|cause| vec![cause]);
-        causes.extend(unproved.into_iter().filter(|cause| unmade.is_empty() || !cause.is_missing()));
+        // a kernel that is not made is missing, but for another reason
+        let missing = |cause: &PipelineError| !unmade.is_empty() && matches!(cause, PipelineError::Missing(_));
+        causes.extend(unproved(family, &text).into_iter().filter(|cause| !missing(cause)));
         causes.extend(unmade);
         generated.kernels.extend(kernels.iter().map(|kernel| made(&family.name, kernel)));
         entries.extend(kernels.iter().map(|kernel| (family.name.clone(), kernel.name.clone())));
@@ -163,13 +163,12 @@ fn made_from(family: &Family) -> String {
 }
 
 /// The kernels of a family's generated text that are not proved equal to its reference expressions, or whose bounds are
-/// not what their text proves.
-///
-/// # Errors
-/// When the text does not read back.
-pub fn unproved(family: &Family, text: &str) -> Result<Vec<PipelineError>, PipelineError> {
-    let sources = closedform_syntax::parse_file(text)
-        .map_err(|cause| PipelineError::Unreadable { family: family.name.clone(), cause })?;
+/// not what their text proves; or why the text does not read back.
+pub fn unproved(family: &Family, text: &str) -> Vec<PipelineError> {
+    let sources = match closedform_syntax::parse_file(text) {
+        Ok(sources) => sources,
+        Err(cause) => return vec![PipelineError::Unreadable { family: family.name.clone(), cause }],
+    };
     let mut causes = Vec::new();
     for kernel in &family.contract.kernels {
         let name = format!("{}::{}", family.name, kernel.name);
@@ -183,7 +182,7 @@ pub fn unproved(family: &Family, text: &str) -> Result<Vec<PipelineError>, Pipel
             }
         }
     }
-    Ok(causes)
+    causes
 }
 
 fn made(family: &str, kernel: &KernelText) -> Made {

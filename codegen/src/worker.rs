@@ -4,7 +4,7 @@
 //! starts itself once more, hands the notice on to standard error, and turns an abort into an error.
 
 use crate::algebra::{Turn, TurnError};
-use crate::pipeline::{Generated, PipelineError, generate, unproved};
+use crate::pipeline::{Generated, PipelineError, all, generate, unproved};
 use crate::worksheet::derive::{DeriveError, Options, rederive};
 use crate::worksheet::family::{Family, FamilyError, families};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -59,14 +59,14 @@ pub enum WorkerError {
     #[diagnostic(transparent)]
     Derive(#[from] DeriveError),
     /// Kernels are no longer what the worksheets derive.
-    #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
+    #[error("{}", all(.0))]
     #[diagnostic(help(
         "the worksheet derives something else than the checked-in reference: if the worksheet is right, run `closedform \
          derive` and `closedform generate`"
     ))]
     Changed(Vec<PipelineError>),
     /// Kernels cannot be made.
-    #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
+    #[error("{}", all(.0))]
     Pipeline(Vec<PipelineError>),
 }
 
@@ -133,7 +133,7 @@ fn rederived(folder: &Path, kernels: &Path) -> Result<(), WorkerError> {
     let mut causes = Vec::new();
     for family in &families {
         let text = fs::read_to_string(kernels.join(format!("{}.rs", family.name)))?;
-        causes.extend(unproved(family, &text).unwrap_or_else(|cause| vec![cause]));
+        causes.extend(unproved(family, &text));
     }
     if causes.is_empty() { Ok(()) } else { Err(WorkerError::Changed(causes)) }
 }

@@ -30,6 +30,11 @@ fn refuses(project: &Path, arguments: &[&str], texts: &[&str]) {
     assert_eq!(before, kernels(project), "files changed");
 }
 
+/// The arguments that make a crate of a worksheet.
+fn making<'a>(worksheet: &'a Path, out: &'a Path) -> [&'a str; 5] {
+    ["generate", "--input", worksheet.to_str().unwrap(), "--out", out.to_str().unwrap()]
+}
+
 #[test]
 fn the_checked_in_kernels_are_fresh_and_proved() {
     let _turn = turn();
@@ -152,7 +157,7 @@ fn a_worksheet_of_ones_own_becomes_a_crate_that_passes_its_judges() {
     let folder = tempfile::tempdir().unwrap();
     let worksheet = repository().join("codegen/tests/classic.mac");
     let out = folder.path().join("mine");
-    let arguments = ["generate", "--input", worksheet.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    let arguments = making(&worksheet, &out);
     succeeds(&repository(), &arguments);
     let again = closedform(&repository(), &arguments);
     assert!(again.status.success(), "{}", String::from_utf8_lossy(&again.stderr));
@@ -173,8 +178,7 @@ fn every_formula_that_no_kernel_is_made_of_is_named() {
     let folder = tempfile::tempdir().unwrap();
     let (worksheet, out) = (folder.path().join("my.mac"), folder.path().join("mine"));
     fs::write(&worksheet, "f(x) := sqrt(-1-x^2)$ g(x) := x+1$ h(x) := max(x,1)+1$").unwrap();
-    let said =
-        fails(&repository(), &["generate", "--input", worksheet.to_str().unwrap(), "--out", out.to_str().unwrap()]);
+    let said = fails(&repository(), &making(&worksheet, &out));
     assert!(
         said.contains("`my::f` has an empty domain") && said.contains("`my::h`") && !said.contains("my::g"),
         "{said}"
@@ -206,7 +210,7 @@ fn a_contract_of_a_domain_alone_keeps_two_ulp() {
         unit = "m/s"
     "#;
     fs::write(worksheet.with_extension("toml"), contract).unwrap();
-    let arguments = ["generate", "--input", worksheet.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    let arguments = making(&worksheet, &out);
     succeeds(&repository(), &arguments);
     let catalogue = Catalogue::open(&out).unwrap();
     let sum = &catalogue.find("sum").unwrap().kernel;
@@ -230,7 +234,7 @@ fn a_folder_that_holds_something_else_is_left_alone() {
     fs::write(folder.path().join("thesis.tex"), "words").unwrap();
     let worksheet = folder.path().join("my.mac");
     fs::write(&worksheet, "f(x) := x$").unwrap();
-    let arguments = ["generate", "--input", worksheet.to_str().unwrap(), "--out", folder.path().to_str().unwrap()];
+    let arguments = making(&worksheet, folder.path());
     assert!(fails(&repository(), &arguments).contains("holds something else"));
 }
 
@@ -240,7 +244,7 @@ fn a_worksheet_that_only_maxima_can_run_says_so() {
     let worksheet = folder.path().join("my.mac");
     fs::write(&worksheet, "s: solve(x^2=2,x)$\nf(x) := x$").unwrap();
     let out = folder.path().join("out");
-    let arguments = ["generate", "--input", worksheet.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    let arguments = making(&worksheet, &out);
     let said = fails(&repository(), &arguments);
     assert!(said.contains("closedform derive") && said.contains("solve"), "{said}");
     assert!(!out.exists());

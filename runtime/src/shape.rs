@@ -20,9 +20,7 @@ pub fn value<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize
     if P::INFO.precision == Precision::DoubleDouble {
         return faithful::<P, N, K, M>(inputs);
     }
-    let results = P::evaluate(inputs);
-    let inside = P::domain(inputs).iter().fold(finite(inputs), |all, holds| all & holds);
-    results.map(|result| if inside { result } else { f64::NAN })
+    inside(inputs, P::evaluate(inputs), P::domain(inputs))
 }
 
 /// What [`value`] returns, unless `doubt` is raised.
@@ -33,13 +31,21 @@ pub fn quick<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize
 ) -> [f64; M] {
     if P::INFO.precision == Precision::DoubleDouble {
         let (results, domain) = guarded::<P, N, K, M>(inputs, doubt);
-        let inside = domain.iter().fold(finite(inputs), |all, holds| all & holds);
-        return results.map(|result| if inside { result } else { f64::NAN });
+        return inside(inputs, results, domain);
     }
     let numbers = inputs.map(|value| Quick { value, doubt });
-    let results = P::evaluate(&numbers);
-    let inside = P::domain(&numbers).iter().fold(finite(inputs), |all, holds| all & holds);
-    results.map(|result| if inside { result.value } else { f64::NAN })
+    inside(inputs, P::evaluate(&numbers).map(|result| result.value), P::domain(&numbers))
+}
+
+/// The results where the inputs are finite and all conditions hold, else NaN.
+#[inline(always)]
+fn inside<const N: usize, const K: usize, const M: usize>(
+    inputs: &[f64; N],
+    results: [f64; M],
+    domain: [bool; K],
+) -> [f64; M] {
+    let inside = domain.iter().fold(finite(inputs), |all, holds| all & holds);
+    results.map(|result| if inside { result } else { f64::NAN })
 }
 
 /// The results with an error of less than one ulp; NaN outside the domain.

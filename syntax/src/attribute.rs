@@ -148,14 +148,10 @@ pub fn text(item: &Meta, errors: &mut Errors) -> Option<String> {
 
 fn precision(item: &Meta, errors: &mut Errors) -> Precision {
     let Some(written) = text(item, errors) else { return Precision::default() };
-    match written.as_str() {
-        "double" => Precision::Double,
-        "double-double" => Precision::DoubleDouble,
-        _ => {
-            errors.push(item, error::PRECISION);
-            Precision::default()
-        }
-    }
+    Precision::ALL.into_iter().find(|precision| precision.name() == written).unwrap_or_else(|| {
+        errors.push(item, error::PRECISION);
+        Precision::default()
+    })
 }
 
 fn rules(item: &Meta, errors: &mut Errors) -> Vec<String> {

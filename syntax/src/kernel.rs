@@ -55,6 +55,19 @@ pub enum Precision {
     DoubleDouble,
 }
 
+impl Precision {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Double, Self::DoubleDouble];
+
+    /// How the attribute names it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Double => "double",
+            Self::DoubleDouble => "double-double",
+        }
+    }
+}
+
 /// What is known of a result.
 #[derive(Clone, Debug)]
 pub struct ResultMeta {

@@ -187,6 +187,7 @@ mod tests {
         assert_eq!(operations_of(&kernel, 1), Operations { add: 2, ..slice });
         assert_eq!(operations(&kernel), Operations { add: 2, mul: 1, div: 1, sqrt: 1, ..slice });
     }
+
     #[test]
     fn the_longest_product_of_a_slice_counts() {
         let most = |body: &str| {

@@ -112,10 +112,10 @@ fn faithful_results_are_less_than_one_ulp_off() {
 
 #[test]
 fn a_sweep_finds_no_broken_promise() {
-    let judges = kernels::judges();
+    let (judges, kept_inputs) = (kernels::judges(), kept::load());
     let swept = parallel::map(&judges, |judge| {
         let mut list = Maker::ALL.map(|maker| judge.space.inside(maker, seed(), 200).list).concat();
-        list.extend(kept::points(judge, &kept::load()).list);
+        list.extend(kept::points(judge, &kept_inputs).list);
         let around = Points { origin: format!("every maker, seed {}", seed()), list };
         sweep(judge, &around, seed(), budget().sweep)
     });

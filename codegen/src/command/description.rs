@@ -1,6 +1,5 @@
 //! Descriptions: what is known of a kernel, as programs read it.
 
-use closedform_syntax::Precision;
 use serde::Serialize;
 
 use crate::catalogue::{Entry, maxima_name, unit_of};
@@ -92,10 +91,7 @@ impl Description {
             latex: meta.latex.clone(),
             source: meta.source.clone(),
             rules: meta.rules.clone(),
-            precision: match meta.precision {
-                Precision::Double => "double",
-                Precision::DoubleDouble => "double-double",
-            },
+            precision: meta.precision.name(),
             operations: OperationCounts::of(entry),
         }
     }

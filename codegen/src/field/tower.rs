@@ -39,11 +39,6 @@ pub enum TowerError {
     /// More radicals than the ring has room for.
     #[error("has more than {SPARE} different square roots and named parts")]
     TooManyRadicals,
-    /// A condition takes a magnitude that is none of a known sign.
-    #[error(
-        "takes abs() of an expression whose sign the domain leaves open: write it with `and` or `or`, without abs()"
-    )]
-    OpenAbsolute,
     /// A polynomial root inside another expression.
     #[error(
         "uses positive_root() inside another expression: give the root a kernel of its own and take it as an input"
@@ -427,8 +422,8 @@ impl Tower {
         let count = self.radicals.len().min(6);
         (1_usize..1 << count).find_map(|all| {
             // the subsets of `all`, the whole first
-            let below = std::iter::successors(Some(all), |below| below.checked_sub(1).map(|below| below & all));
-            below.into_iter().find_map(|below| self.through_quotient(inside, all & !below, below))
+            let mut below = std::iter::successors(Some(all), |below| below.checked_sub(1).map(|below| below & all));
+            below.find_map(|below| self.through_quotient(inside, all & !below, below))
         })
     }
 

@@ -48,18 +48,10 @@ fn always_holds(builder: &mut Builder, condition: &Contracted, text: &str) -> Re
             builder.tower.facts.sign(&polynomial).is(sign_of(order))
         }
         Contracted::And(parts) => {
-            let mut all = true;
-            for part in parts {
-                all = all && always_holds(builder, part, text)?;
-            }
-            all
+            parts.iter().try_fold(true, |all, part| Ok(all && always_holds(builder, part, text)?))?
         }
         Contracted::Or(parts) => {
-            let mut any = false;
-            for part in parts {
-                any = any || always_holds(builder, part, text)?;
-            }
-            any
+            parts.iter().try_fold(false, |any, part| Ok(any || always_holds(builder, part, text)?))?
         }
         Contracted::Not(_) => false,
     })
@@ -131,9 +123,6 @@ fn normal_form(builder: &mut Builder, comparison: &Comparison, text: &str) -> Re
     let left = lower(&comparison.lhs).map_err(KernelError::Lower)?;
     let right = lower(&comparison.rhs).map_err(KernelError::Lower)?;
     let difference = builder.tower.canonical(&left.minus(right)).map_err(failed)?;
-    if builder.tower.top_radical(&difference.numerator).is_some() {
-        return Err(failed(TowerError::OpenAbsolute));
-    }
     let factors = difference.numerator.times(&difference.denominator).factors();
     let mut order = order_of(comparison.operator);
     if factors.constant.is_negative() {

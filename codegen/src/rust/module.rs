@@ -192,7 +192,7 @@ fn print_attribute(text: &mut String, family: &str, kernel: &KernelText) {
     let rules: Vec<String> = kernel.rules.iter().map(|rule| format!("{rule:?}")).collect();
     let _ = writeln!(text, "    rules({}),", rules.join(", "));
     if kernel.precision == Precision::DoubleDouble {
-        let _ = writeln!(text, "    precision = \"double-double\",");
+        let _ = writeln!(text, "    precision = {:?},", kernel.precision.name());
     }
     if kernel.returns.is_some() {
         let bounds: Vec<String> = kernel.results.iter().map(|r| format!("{} = {:?}", r.name, r.bound)).collect();

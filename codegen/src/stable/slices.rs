@@ -35,13 +35,12 @@ pub fn in_order(graph: &mut Graph, wide: Wide, sign: Sign) -> (Node, Node) {
 }
 
 /// The product in steps: each factor in steps of its own where they do not cancel, and as a slice where they may.
-pub fn in_steps(graph: &mut Graph, wide: Wide, sign: Sign) -> Node {
+pub fn in_steps(graph: &mut Graph, wide: Wide) -> Node {
     let (mut negative, mut factors) = (false, Vec::new());
     split(wide, &mut negative, &mut factors);
     let factors: Vec<Node> = factors.into_iter().map(|factor| factor_in_steps(graph, factor)).collect();
     let product = factors.into_iter().reduce(|a, b| graph.mul(a, b));
     let product = product.unwrap_or_else(|| graph.constant(&BigRational::one()));
-    graph.learn(product, if negative { -sign } else { sign });
     if negative { graph.neg(product) } else { product }
 }
 

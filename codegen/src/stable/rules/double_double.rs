@@ -50,7 +50,6 @@ fn error_of_step(graph: &Graph, node: Node, known: &mut HashMap<Node, f64>) -> f
     }
     let mut of = |node| error_of_step(graph, node, known);
     let error = match graph.op(node) {
-        // a constant that no double holds
         Op::Input(_) | Op::Literal(_) => graph.error(node),
         Op::Pi => STEP,
         Op::Neg(a) | Op::Abs(a) => of(*a),

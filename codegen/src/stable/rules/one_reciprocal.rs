@@ -41,7 +41,7 @@ impl Products {
     fn make(self, graph: &mut Graph, product: Wide) -> Node {
         match self {
             Self::Slices => in_order(graph, product, Sign::ANY).1,
-            Self::Steps => in_steps(graph, product, Sign::ANY),
+            Self::Steps => in_steps(graph, product),
         }
     }
 }

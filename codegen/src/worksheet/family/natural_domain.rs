@@ -50,9 +50,9 @@ fn collect(expr: &Expr, texts: &mut Vec<String>) {
 
 /// `base^exponent`: a half needs a radicand, a minus a denominator.
 fn power(base: &Expr, exponent: &Expr, texts: &mut Vec<String>) {
-    let (negative, exponent) = magnitude(exponent);
+    let (negative, exponent) = unsigned(exponent);
     let (below, fraction) = match &exponent.kind {
-        ExprKind::Binary { operator: BinaryOperator::Divide, left, .. } => (magnitude(left).0, true),
+        ExprKind::Binary { operator: BinaryOperator::Divide, left, .. } => (unsigned(left).0, true),
         ExprKind::Float(_) => (false, true),
         _ => (false, false),
     };
@@ -64,8 +64,8 @@ fn power(base: &Expr, exponent: &Expr, texts: &mut Vec<String>) {
     }
 }
 
-/// The number without its minus, and whether it has one.
-fn magnitude(number: &Expr) -> (bool, &Expr) {
+/// Whether a number has a minus, and the number without it.
+fn unsigned(number: &Expr) -> (bool, &Expr) {
     match &number.kind {
         ExprKind::Unary { operator: UnaryOperator::Minus, operand } => (true, operand),
         _ => (false, number),
