@@ -18,6 +18,7 @@ use closedform_tests::laws::motion::Motion;
 use closedform_tests::laws::{Law, check_inverse};
 use closedform_tests::reference::References;
 use closedform_tests::scaling::check_scaling;
+use closedform_tests::sweep::sweep;
 use closedform_tests::{kept, plain, shapes, strategy};
 
 /// Points for each maker, and those at edges; the seed is always the same.
@@ -58,6 +59,21 @@ fn right_kernels_keep_their_bounds() {
 fn mutants_break_their_bounds() {
     for kernel in mutants::WRONG.into_iter().chain(mutants::INACCURATE) {
         assert!(caught(kernel).is_some(), "{kernel:?} passed");
+    }
+}
+
+#[test]
+fn a_sweep_catches_lost_digits() {
+    let swept = |kernel| {
+        let judge = judge(kernel);
+        let list = Maker::ALL.map(|maker| points(&judge, maker).list).concat();
+        sweep(&judge, &Points { origin: "every maker".to_owned(), list }, SEED, 10 * POINTS)
+    };
+    for kernel in right::ALL {
+        assert_eq!(swept(kernel).map(|swept| swept.points), Ok(10 * POINTS));
+    }
+    for kernel in mutants::INACCURATE {
+        assert!(swept(kernel).is_err(), "{kernel:?} passed");
     }
 }
 
