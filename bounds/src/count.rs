@@ -40,7 +40,7 @@ impl<'k> Counter<'k> {
     pub(crate) fn rounding(&self) -> BigRational {
         match self.kernel.meta.precision {
             Precision::Double => integer(1),
-            Precision::DoubleDouble => trusted::double_double_step(),
+            Precision::DoubleDouble | Precision::Certified => trusted::double_double_step(),
         }
     }
 
@@ -48,14 +48,14 @@ impl<'k> Counter<'k> {
     pub(crate) fn last_rounding(&self) -> BigRational {
         match self.kernel.meta.precision {
             Precision::Double => BigRational::zero(),
-            Precision::DoubleDouble => integer(1),
+            Precision::DoubleDouble | Precision::Certified => integer(1),
         }
     }
 
     fn slice(&self) -> BigRational {
         match self.kernel.meta.precision {
             Precision::Double => trusted::compensated(),
-            Precision::DoubleDouble => trusted::compensated_in_double_double(),
+            Precision::DoubleDouble | Precision::Certified => trusted::compensated_in_double_double(),
         }
     }
 

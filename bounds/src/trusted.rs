@@ -33,6 +33,13 @@ pub fn compensated_in_double_double() -> BigRational {
     thousandths(1)
 }
 
+/// The count of a result in certified arithmetic, whatever its program: each call bounds the error that it has made, and
+/// does not return before that is below 2^-60 of the result, which is then rounded.
+#[must_use]
+pub fn certified() -> BigRational {
+    thousandths(1008)
+}
+
 fn thousandths(value: i64) -> BigRational {
     BigRational::new(value.into(), 1000.into())
 }

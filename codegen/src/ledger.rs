@@ -209,11 +209,11 @@ fn row(entry: &Entry, position: usize, formula: &Expr, measured: &Measured) -> R
     }
 }
 
-/// In double-double only the result is rounded.
+/// In double-double, and certified, only the result is rounded.
 fn roundings(count: &Operations, precision: Precision) -> u32 {
     match precision {
         Precision::Double => count.add + count.mul + count.div + count.sqrt + count.slices + count.root,
-        Precision::DoubleDouble => 1,
+        Precision::DoubleDouble | Precision::Certified => 1,
     }
 }
 

@@ -6,7 +6,7 @@ mod ulp;
 
 use std::cell::Cell;
 
-use closedform::__private::{Guarded, Soft};
+use closedform::__private::{Ball, Guarded, Settling, Soft};
 use closedform_syntax::{Arithmetic, Kernel, Precision, Violation, evaluate, violated};
 use rug::Float;
 
@@ -59,7 +59,30 @@ pub fn results(kernel: &Kernel, point: &[f64]) -> Result<Vec<f64>, Violation> {
     match kernel.meta.precision {
         Precision::Double => run(kernel, &Compiled(0.0), point),
         Precision::DoubleDouble => rounded_once(kernel, point),
+        Precision::Certified => certified(kernel, point),
     }
+}
+
+/// The results in certified arithmetic; NaN where it does not decide.
+fn certified(kernel: &Kernel, point: &[f64]) -> Result<Vec<f64>, Violation> {
+    if let Some(input) = point.iter().position(|value| !value.is_finite()) {
+        return Err(Violation::NotFinite(input));
+    }
+    let tiers = [tier::<4>, tier::<16>, tier::<64>];
+    let undecided = vec![f64::NAN; kernel.meta.results.len()];
+    tiers.iter().find_map(|tier| tier(kernel, point)).unwrap_or(Ok(undecided))
+}
+
+/// The same in floats of `L` words; `None` where they are too few.
+fn tier<const L: usize>(kernel: &Kernel, point: &[f64]) -> Option<Result<Vec<f64>, Violation>> {
+    let settling = Settling::default();
+    let numbers: Vec<Ball<L>> = point.iter().map(|value| Ball::new(*value, &settling)).collect();
+    let results = run(kernel, &Compiled(Ball::new(0.0, &settling)), &numbers);
+    let accepted = match results {
+        Ok(results) => Ok(results.iter().map(Ball::accepted).collect::<Option<Vec<f64>>>()?),
+        Err(violation) => Err(violation),
+    };
+    (!settling.is_unsettled()).then_some(accepted)
 }
 
 /// The results in double-double, or where that leaves its range in integers, rounded once.

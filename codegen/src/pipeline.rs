@@ -1,7 +1,7 @@
 //! The pipeline: families in, the text of every generated file out, each kernel proved equal to its references.
 
 use crate::bound_proof::{BoundError, bound_proof};
-use crate::kernel::{KernelError, ProofError, make, prove};
+use crate::kernel::{KernelError, ProofError, make, make_as_written, prove};
 use crate::program::cost;
 use crate::rust::{KernelText, ModuleText, print_module};
 use crate::worksheet::contract::KernelContract;
@@ -33,6 +33,8 @@ pub struct Made {
     pub operations: [usize; 5],
     /// The largest bound of its results, in ulp.
     pub bound: f64,
+    /// Why the formula stands as it is written and certifies every call, if it does.
+    pub certified_because: Option<String>,
 }
 
 /// Why a family was not generated.
@@ -88,6 +90,17 @@ pub enum PipelineError {
     },
 }
 
+impl PipelineError {
+    /// The kernel whose text or bound is not proved, and which of them, if that is the cause.
+    fn unproved_kernel(&self) -> Option<(&str, &'static str)> {
+        match self {
+            Self::Unproved { kernel, .. } => Some((kernel, "its stable form is not proved to be equal to the formula")),
+            Self::Bound { kernel, .. } => Some((kernel, "the bound of its stable form is not proved")),
+            _ => None,
+        }
+    }
+}
+
 /// What is wrong with several kernels, as one text.
 pub fn all(causes: &[PipelineError]) -> String {
     causes.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
@@ -102,11 +115,16 @@ pub fn generate(families: &[Family], mut progress: impl FnMut(&str)) -> Result<G
     let mut entries = Vec::new();
     let mut causes = Vec::new();
     for family in families {
-        let (kernels, unmade) = make_kernels(family, &mut progress);
-        let text = module_text(family, &kernels);
+        let (mut kernels, mut unmade) = make_kernels(family, &mut progress);
+        let mut text = module_text(family, &kernels);
+        let mut open = unproved(family, &text);
+        if take_as_written(family, &open, &mut kernels, &mut unmade) {
+            text = module_text(family, &kernels);
+            open = unproved(family, &text);
+        }
         // a kernel that is not made is missing, but for another reason
         let missing = |cause: &PipelineError| !unmade.is_empty() && matches!(cause, PipelineError::Missing(_));
-        causes.extend(unproved(family, &text).into_iter().filter(|cause| !missing(cause)));
+        causes.extend(open.into_iter().filter(|cause| !missing(cause)));
         causes.extend(unmade);
         generated.kernels.extend(kernels.iter().map(|kernel| made(&family.name, kernel)));
         entries.extend(kernels.iter().map(|kernel| (family.name.clone(), kernel.name.clone())));
@@ -130,11 +148,48 @@ fn make_kernels(family: &Family, progress: &mut impl FnMut(&str)) -> (Vec<Kernel
     (kernels, causes)
 }
 
+/// Takes the formulas of kernels that are not proved as they are written; whether there are any.
+fn take_as_written(
+    family: &Family,
+    unproved: &[PipelineError],
+    kernels: &mut [KernelText],
+    unmade: &mut Vec<PipelineError>,
+) -> bool {
+    let name = |kernel: &KernelText| format!("{}::{}", family.name, kernel.name);
+    let open: BTreeMap<&str, &str> = unproved.iter().filter_map(PipelineError::unproved_kernel).collect();
+    for kernel in kernels {
+        let contract = family.contract.kernels.iter().find(|contract| contract.name == kernel.name);
+        let (Some(because), Some(contract)) = (open.get(name(kernel).as_str()), contract) else { continue };
+        match as_written(family, contract, (*because).to_owned()) {
+            Ok(made) => *kernel = made,
+            Err(cause) => unmade.push(PipelineError::Kernel { kernel: name(kernel), cause }),
+        }
+    }
+    !open.is_empty()
+}
+
+fn as_written(family: &Family, kernel: &KernelContract, because: String) -> Result<KernelText, KernelError> {
+    make_as_written(&family.contract, kernel, &references_of(family, kernel), because)
+}
+
+/// Why a text does not read back: the kernel language has limits, for slices above all.
+const TOO_LARGE: &str = "its stable form is too large, or has the circle constant in a sum that may cancel";
+
+/// Whether the text of a kernel can be read back.
+fn reads_back(family: &Family, kernel: &KernelText) -> bool {
+    closedform_syntax::parse_file(&module_text(family, std::slice::from_ref(kernel))).is_ok()
+}
+
 fn make_kernel(family: &Family, kernel: &KernelContract, name: String) -> Result<KernelText, PipelineError> {
     let inputs = family.contract.inputs_of(kernel);
     sample(&kernel.domain, &inputs, 1, 0).map_err(|cause| PipelineError::Empty { kernel: name.clone(), cause })?;
     let references = references_of(family, kernel);
-    make(&family.contract, kernel, &references).map_err(|cause| PipelineError::Kernel { kernel: name, cause })
+    let made = match make(&family.contract, kernel, &references) {
+        Err(cause) if cause.leaves_the_formula_as_written(kernel) => as_written(family, kernel, cause.to_string()),
+        Ok(made) if !reads_back(family, &made) => as_written(family, kernel, TOO_LARGE.to_owned()),
+        made => made,
+    };
+    made.map_err(|cause| PipelineError::Kernel { kernel: name, cause })
 }
 
 fn module_text(family: &Family, kernels: &[KernelText]) -> String {
@@ -192,6 +247,7 @@ fn made(family: &str, kernel: &KernelText) -> Made {
         rules: kernel.rules.iter().map(ToString::to_string).collect(),
         operations: [cost.additions, cost.multiplications, cost.divisions, cost.roots, cost.wide],
         bound: kernel.results.iter().map(|result| result.bound).fold(0.0, f64::max),
+        certified_because: kernel.certified_because.clone(),
     }
 }
 

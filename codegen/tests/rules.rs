@@ -57,6 +57,7 @@ fn hurting(rule: &str) -> Vec<Vec<f64>> {
     let power = |exponent| 2.0_f64.powi(exponent);
     match rule {
         "needs_compensated" => vec![vec![1.0 + power(-17) + power(-40), 1.0 - power(-17), 1.0, 1.0]],
+        "needs_certified" => vec![vec![1.0 + power(-30), 4.0 + power(-30), 4.0, 1.0]],
         "needs_conjugate" => vec![vec![1e12]],
         "needs_differences_first" => {
             vec![vec![1.0, 1.0 + power(-27), 3.0 * power(-27) / 0.7 * (1.0 + power(-20)), 0.7]]

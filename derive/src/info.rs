@@ -20,6 +20,7 @@ pub fn info(kernel: &Kernel) -> TokenStream {
     let precision = match meta.precision {
         Precision::Double => quote!(Double),
         Precision::DoubleDouble => quote!(DoubleDouble),
+        Precision::Certified => quote!(Certified),
     };
     let operations = operations_literal(kernel);
     let factors = most_factors(kernel);

@@ -1,7 +1,7 @@
 //! What is known of a kernel besides its code.
 
 /// The largest number of inputs of a kernel.
-pub const MAX_INPUTS: usize = 16;
+pub const MAX_INPUTS: usize = 64;
 
 /// What is known of a kernel besides its code: where it comes from, what it takes and promises.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,6 +43,9 @@ pub enum Precision {
     /// What `faithful` computes in: double-double, rounded once at the end, and integers with an endless exponent where
     /// that over- or underflows.
     DoubleDouble,
+    /// Balls of 256, 1,024 or 4,096 bits, in which every call bounds its own error and takes more bits until its results
+    /// are right: what keeps a promise that no proof covers. Slow.
+    Certified,
 }
 
 /// An input of a kernel.

@@ -39,6 +39,8 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+mod ball;
+mod certified;
 mod double;
 mod error;
 mod exact;
@@ -69,6 +71,7 @@ pub use wide::Wide;
 /// What expansions of `#[kernel]` call, and tools that interpret kernels instead; not for people.
 #[doc(hidden)]
 pub mod __private {
+    pub use crate::ball::{Ball, Settling};
     pub use crate::guarded::Guarded;
     pub use crate::shape::{checked, faithful, quick, same_length, single, value};
     pub use crate::soft::Soft;

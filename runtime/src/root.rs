@@ -21,7 +21,7 @@ use crate::float::{exponent, scale};
 use crate::wide::Wide;
 
 /// The highest degree that [`positive_root`] takes.
-pub const MAX_DEGREE: usize = 16;
+pub const MAX_DEGREE: usize = 32;
 
 const MAX_TERMS: usize = MAX_DEGREE + 1;
 

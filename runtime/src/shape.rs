@@ -2,6 +2,7 @@
 
 use core::cell::Cell;
 
+use crate::certified::certified;
 use crate::error::{DomainError, LengthError};
 use crate::guarded::Guarded;
 use crate::info::Precision;
@@ -12,12 +13,18 @@ use crate::soft::Soft;
 /// The condition that comes before all others.
 const FINITE: &str = "every input is finite";
 
+/// What holds where certified arithmetic comes to an end.
+const DECIDED: &str = "4,096 bits decide every sign, or that it is zero";
+
+/// What holds where the results of a formula exist.
+const HAS_VALUE: &str = "no root is taken of a negative number, and nothing is divided by zero";
+
 /// The results in `f64`, computed in the precision of the kernel; NaN outside the domain.
 ///
 /// Values are computed in any case and then selected: without a branch, batch loops vectorise.
 #[inline(always)]
 pub fn value<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
-    if P::INFO.precision == Precision::DoubleDouble {
+    if const { !matches!(P::INFO.precision, Precision::Double) } {
         return faithful::<P, N, K, M>(inputs);
     }
     inside(inputs, P::evaluate(inputs), P::domain(inputs))
@@ -29,7 +36,10 @@ pub fn quick<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize
     inputs: &[f64; N],
     doubt: &Cell<bool>,
 ) -> [f64; M] {
-    if P::INFO.precision == Precision::DoubleDouble {
+    if const { matches!(P::INFO.precision, Precision::Certified) } {
+        return faithful::<P, N, K, M>(inputs);
+    }
+    if const { matches!(P::INFO.precision, Precision::DoubleDouble) } {
         let (results, domain) = guarded::<P, N, K, M>(inputs, doubt);
         return inside(inputs, results, domain);
     }
@@ -49,9 +59,14 @@ fn inside<const N: usize, const K: usize, const M: usize>(
 }
 
 /// The results with an error of less than one ulp; NaN outside the domain.
+///
+/// The precision is asked for in a `const` block: what a kernel does not run in is not compiled for it.
 pub fn faithful<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
     if !finite(inputs) {
         return [f64::NAN; M];
+    }
+    if const { matches!(P::INFO.precision, Precision::Certified) } {
+        return certified::<P, N, K, M>(inputs).map_or([f64::NAN; M], |(results, _)| results);
     }
     let (results, domain) = rounded_once::<P, N, K, M>(inputs);
     if domain.iter().all(|holds| *holds) { results } else { [f64::NAN; M] }
@@ -94,9 +109,14 @@ pub fn checked<P: Program<N, K, M>, const N: usize, const K: usize, const M: usi
     if !finite(inputs) {
         return refused(FINITE);
     }
+    if const { matches!(P::INFO.precision, Precision::Certified) } {
+        let Some((results, domain)) = certified::<P, N, K, M>(inputs) else { return refused(DECIDED) };
+        let missing = results.iter().any(|result| result.is_nan()).then_some(HAS_VALUE);
+        return violated::<P, N, K, M>(domain).or(missing).map_or(Ok(results), refused);
+    }
     match P::INFO.precision {
         Precision::Double => violated::<P, N, K, M>(P::domain(inputs)).map_or_else(|| Ok(P::evaluate(inputs)), refused),
-        Precision::DoubleDouble => {
+        Precision::DoubleDouble | Precision::Certified => {
             let (results, domain) = rounded_once::<P, N, K, M>(inputs);
             violated::<P, N, K, M>(domain).map_or(Ok(results), refused)
         }

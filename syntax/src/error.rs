@@ -7,8 +7,7 @@ pub const ATTRIBUTE: &str = "unknown key; `#[kernel(..)]` knows family, maxima, 
                              bound, result and results";
 pub const ATTRIBUTE_TWICE: &str = "this key is written twice; keep one";
 pub const TEXT: &str = "write this key as `key = \"text\"`";
-pub const PRECISION: &str =
-    "write the precision as `precision = \"double\"`, which is meant without it, or `precision = \"double-double\"`";
+pub const PRECISION: &str = "write the precision as `precision = \"double\"`, which is meant without it, `\"double-double\"` or `\"certified\"`";
 pub const RULES: &str = "write the rules as `rules(\"one\", \"another\")`";
 pub const BOUND: &str =
     "write the bound as `bound = 4`, or for a struct `bound(field = 4, other = 6)`: ulp, not below zero";
@@ -22,7 +21,7 @@ pub const UNKNOWN_FIELD: &str = "the returned struct literal has no such field";
 
 pub const SIGNATURE: &str = "a kernel is a plain function: remove this";
 pub const NO_INPUTS: &str = "a kernel needs at least one input, as in `x: f64`";
-pub const TOO_MANY_INPUTS: &str = "a kernel takes at most 16 inputs; split it";
+pub const TOO_MANY_INPUTS: &str = "a kernel takes at most 64 inputs; split it";
 pub const INPUT_TYPE: &str = "inputs are `f64`, by value; single precision and batches come with the kernel";
 pub const INPUT_PATTERN: &str = "an input is a plain name, as in `x: f64`";
 pub const INPUT_ATTRIBUTE: &str = "write `#[input(maxima = \"..\", unit = \"..\", typical(low, high))]`; no other attribute \
@@ -77,7 +76,7 @@ pub const SLICE: &str = "a slice takes only + - *, unary -, literals and names: 
 pub const RESIDUAL_DECIDES: &str = "the sign of a residual! may be wrong where it cancels: write compensated!(..)";
 pub const COMPENSATED_SIZE: &str = "this slice is too large: multiplied out, it may have 16384 terms of 16 factors each, \
                                     and 255 names and literals; move a part of it to a `let`";
-pub const ROOT: &str = "write positive_root([c0, c1, ..]) with 2 to 17 coefficients, lowest power first";
+pub const ROOT: &str = "write positive_root([c0, c1, ..]) with 2 to 33 coefficients, lowest power first";
 
 pub const UNREADABLE: &str = "this function cannot be read as a kernel";
 

@@ -53,17 +53,20 @@ pub enum Precision {
     Double,
     /// What `faithful` computes in, rounded once at the end.
     DoubleDouble,
+    /// Balls of as many bits as a call turns out to need: it bounds its own error.
+    Certified,
 }
 
 impl Precision {
     /// All of them.
-    pub const ALL: [Self; 2] = [Self::Double, Self::DoubleDouble];
+    pub const ALL: [Self; 3] = [Self::Double, Self::DoubleDouble, Self::Certified];
 
     /// How the attribute names it.
     pub fn name(self) -> &'static str {
         match self {
             Self::Double => "double",
             Self::DoubleDouble => "double-double",
+            Self::Certified => "certified",
         }
     }
 }

@@ -40,10 +40,10 @@ use error::Errors;
 use scope::Scope;
 
 /// The largest number of inputs: errors at run time carry the values of all of them in a fixed array.
-pub const MAX_INPUTS: usize = 16;
+pub const MAX_INPUTS: usize = 64;
 
 /// The largest degree of a `positive_root`: the runtime keeps its coefficients in a fixed array.
-pub const MAX_DEGREE: usize = 16;
+pub const MAX_DEGREE: usize = 32;
 
 /// The kernel written as the function `item` under `#[kernel(attribute)]`.
 ///

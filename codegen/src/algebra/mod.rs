@@ -2,6 +2,8 @@
 
 mod polynomial;
 mod turn;
+mod work;
 
 pub use polynomial::{Factors, Polynomial, Ring, Term, Var};
 pub use turn::{Turn, TurnError};
+pub use work::{TooMuchWork, limited};

@@ -1,5 +1,6 @@
 //! Polynomials over the rationals: arithmetic, greatest common divisors and factors, by Symbolica.
 
+use super::work::spend;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -185,6 +186,7 @@ impl Polynomial {
     /// The product.
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
+        spend(self.len().saturating_mul(other.len()));
         Self::wrap(&self.inner * &other.inner)
     }
 
@@ -203,18 +205,21 @@ impl Polynomial {
     /// The power.
     #[must_use]
     pub fn power(&self, exponent: u32) -> Self {
+        spend(size_of_power(self.len(), exponent));
         Self::wrap(self.inner.pow(exponent as usize))
     }
 
     /// The greatest common divisor.
     #[must_use]
     pub fn gcd(&self, other: &Self) -> Self {
+        spend(self.hardness().saturating_add(other.hardness()));
         Self::wrap(self.inner.gcd(&other.inner))
     }
 
     /// The quotient, if the division leaves no remainder.
     #[must_use]
     pub fn divided_by(&self, other: &Self) -> Option<Self> {
+        spend(self.len().saturating_mul(other.len()));
         self.inner.try_div(&other.inner).map(Self::wrap)
     }
 
@@ -285,6 +290,7 @@ impl Polynomial {
         if let Some(constant) = self.as_constant() {
             return Factors { constant, powers: Vec::new() };
         }
+        spend(self.hardness());
         let mut constant = BigRational::one();
         let mut powers = Vec::new();
         for (factor, exponent) in self.inner.factor() {
@@ -298,11 +304,24 @@ impl Polynomial {
         Factors { constant, powers }
     }
 
+    /// What a factorisation or a greatest common divisor may take: the square of its terms, for each degree of each of its
+    /// variables.
+    fn hardness(&self) -> usize {
+        let degrees: usize = self.variables().into_iter().map(|var| usize::from(self.degree(var))).sum();
+        self.len().saturating_mul(self.len()).saturating_mul(degrees.max(1))
+    }
+
     /// An order that depends on the mathematics alone: fewer terms first, then by terms.
     #[must_use]
     pub fn compare(&self, other: &Self) -> Ordering {
         self.len().cmp(&other.len()).then_with(|| compare_terms(&self.terms(), &other.terms()))
     }
+}
+
+/// At most how many terms a power of so many has, with room for the steps to it.
+fn size_of_power(terms: usize, exponent: u32) -> usize {
+    let more = terms.saturating_sub(1);
+    (1..=exponent as usize).fold(1_usize, |size, step| size.saturating_mul(more + step) / step).saturating_mul(2)
 }
 
 fn compare_terms(left: &[Term], right: &[Term]) -> Ordering {

@@ -108,6 +108,9 @@ fn report(made: &[Made], catalogue: &Catalogue, rows: &[ledger::Row]) -> miette:
         ]);
     }
     output::print(&format!("{table}\n"))?;
+    for (kernel, because) in made.iter().filter_map(|made| Some((&made.kernel, made.certified_because.as_ref()?))) {
+        eprintln!("`{kernel}` keeps its bound at run time, some hundred times slower: {because}");
+    }
     hold(rows)
 }
 

@@ -93,6 +93,9 @@ fn power(base: &Ast, exponent: &Ast, ast: &Ast) -> Result<Expr, LowerError> {
     let base = lower(base)?;
     let numerator = exponent_value.numer().to_i64().filter(|n| n.abs() <= MAX_EXPONENT);
     match (numerator, exponent_value.denom().to_i64()) {
+        (Some(0), _) if constant(&base).is_some_and(|base| base.is_zero()) => {
+            Err(unsupported(ast, "0^0", "it has no value, in Maxima either: say which one is meant"))
+        }
         (Some(n), Some(1)) => Ok(integer_power(base, n as i32)),
         (Some(n), Some(2)) => {
             let root = Expr::Sqrt(Box::new(base.clone()));

@@ -20,6 +20,9 @@ pub struct Prey<'a> {
     pub inputs: Vec<Input>,
 }
 
+/// Bits in which a kernel that certifies itself is evaluated, more than it takes itself.
+const CERTIFIED_BITS: u32 = 4_096 + REFERENCE_BITS;
+
 impl Prey<'_> {
     /// Whether the kernel takes the point: the domain, but for roundings of its conditions.
     pub(super) fn takes(&self, point: &[f64]) -> bool {
@@ -31,7 +34,8 @@ impl Prey<'_> {
         let got = *results(self.kernel, point).ok()?.get(result)?;
         let exact = match self.kernel.meta.precision {
             Precision::Double => self.in_double_double(result, point),
-            Precision::DoubleDouble => self.in_mpfr(result, point),
+            Precision::DoubleDouble => self.in_mpfr(result, point, 2 * REFERENCE_BITS),
+            Precision::Certified => self.in_mpfr(result, point, CERTIFIED_BITS),
         }?;
         exact.low().is_finite().then(|| distance(got, exact))
     }
@@ -44,8 +48,7 @@ impl Prey<'_> {
     }
 
     /// What a kernel that computes in double-double itself is compared with.
-    fn in_mpfr(&self, result: usize, point: &[f64]) -> Option<Wide> {
-        let bits = 2 * REFERENCE_BITS;
+    fn in_mpfr(&self, result: usize, point: &[f64], bits: u32) -> Option<Wide> {
         let precise: Vec<_> = point.iter().map(|value| Mpfr::new(bits, *value)).collect();
         let exact = evaluate(self.kernel, &Compiled(Mpfr::new(bits, 0.0)), &precise);
         exact.get(result).map(|exact| split(&exact.0))

@@ -173,7 +173,7 @@ fn two_exact_sides(builder: &mut Builder, polynomial: &Polynomial) -> Result<Opt
     Ok(exact.then_some((left, right)))
 }
 
-fn order_of(operator: ComparisonOperator) -> Order {
+pub(super) fn order_of(operator: ComparisonOperator) -> Order {
     match operator {
         ComparisonOperator::Less => Order::Less,
         ComparisonOperator::LessEqual => Order::LessOrEqual,

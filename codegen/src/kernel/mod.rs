@@ -3,22 +3,25 @@
 mod as_written;
 mod domain;
 mod proof;
+mod written;
 
 pub use proof::{ProofError, prove};
 
+use crate::algebra::{TooMuchWork, limited};
 use crate::expression::{Expr, LowerError, lower};
 use crate::field::{Tower, TowerError};
-use crate::program::{Node, name_steps};
+use crate::program::{Graph, Node, name_steps};
 use crate::rust::{InputDoc, KernelText, RequireText, ResultText};
 use crate::stable::builder::Builder;
 use crate::stable::rules::falling_newton::{self, RootError};
 use crate::stable::rules::one_reciprocal::Products;
-use crate::stable::rules::{double_double, gathered, one_reciprocal};
+use crate::stable::rules::{certified, double_double, gathered, one_reciprocal};
 use crate::stable::stabilise;
-use crate::worksheet::contract::{Contract, KernelContract};
+use crate::worksheet::contract::{Contract, KernelContract, ResultContract};
 use closedform_maxima::{Definition, print, to_latex};
 use closedform_syntax::Precision;
 use thiserror::Error;
+use written::{Written, WrittenError};
 
 /// Why no kernel can be made.
 #[derive(Debug, Error)]
@@ -50,6 +53,17 @@ pub enum KernelError {
         /// Why.
         cause: RootError,
     },
+    /// A formula whose algebra has no end in sight.
+    #[error("`{0}`: its exact algebra takes more work than the limit of a formula allows")]
+    TooMuchWork(String),
+    /// A formula that cannot be taken step by step.
+    #[error("`{function}`: {cause}")]
+    Written {
+        /// The kernel.
+        function: String,
+        /// Why.
+        cause: WrittenError,
+    },
     /// A program whose error has no bound.
     #[error(
         "no bound for the error of `{0}` could be derived: a sum of rounded values may cancel; add the signs of its terms to the domain"
@@ -57,7 +71,23 @@ pub enum KernelError {
     Unbounded(String),
 }
 
-/// Makes a kernel.
+impl KernelError {
+    /// Whether the formula can still be taken as it is written, in certified arithmetic. A contract could say more of a
+    /// root's signs.
+    #[must_use]
+    pub fn leaves_the_formula_as_written(&self, kernel: &KernelContract) -> bool {
+        match self {
+            Self::Lower(_) | Self::Written { .. } => false,
+            Self::Root { cause: RootError::Signs(_), .. } => kernel.natural_domain,
+            _ => true,
+        }
+    }
+}
+
+/// What one formula may take, in the units of [`limited`]: some 25 times what the hardest of the shipped ones takes.
+const WORK: u64 = 50_000_000;
+
+/// Makes a kernel in a stable form.
 ///
 /// # Errors
 /// See [`KernelError`].
@@ -66,6 +96,33 @@ pub fn make(
     kernel: &KernelContract,
     references: &[Definition],
 ) -> Result<KernelText, KernelError> {
+    limited(WORK, || stable(contract, kernel, references))
+        .unwrap_or_else(|TooMuchWork| Err(KernelError::TooMuchWork(kernel.name.clone())))
+}
+
+/// Makes a kernel of the formula as it is written, which certifies every call, `because` no stable form is there.
+///
+/// # Errors
+/// See [`KernelError::Written`].
+pub fn make_as_written(
+    contract: &Contract,
+    kernel: &KernelContract,
+    references: &[Definition],
+    because: String,
+) -> Result<KernelText, KernelError> {
+    let mut written = Written::new(&kernel.inputs);
+    let steps = written.reference(kernel, references);
+    let (conditions, outputs) = steps.map_err(|cause| KernelError::Written { function: kernel.name.clone(), cause })?;
+    let mut graph = written.graph;
+    outputs.iter().for_each(|&output| graph.mark(output, certified::RULE.name));
+    let requires = conditions.into_iter().zip(kernel.domain.texts());
+    let requires = requires.map(|(condition, text)| RequireText::new(condition, text)).collect();
+    let results = kernel.results.iter().map(|result| result_text(result, CERTIFIED)).collect();
+    let made = Made { requires, outputs, results, rules: vec![certified::RULE.name], precision: Precision::Certified };
+    Ok(KernelText { certified_because: Some(because), ..text(contract, kernel, references, graph, made) })
+}
+
+fn stable(contract: &Contract, kernel: &KernelContract, references: &[Definition]) -> Result<KernelText, KernelError> {
     let mut builder = Builder::new(Tower::new(&kernel.inputs));
     let requires = domain::build(&mut builder, &kernel.domain, kernel.natural_domain)?;
     let expressions: Vec<Expr> = references
@@ -76,6 +133,27 @@ pub fn make(
     let outputs = outputs(&mut builder, &expressions, references)?;
     let (outputs, precision) = with_few_roundings(&mut builder, &outputs, kernel);
     let results = results(&builder, kernel, &outputs, precision)?;
+    let rules = builder.used_rules().iter().copied().collect();
+    let made = Made { requires, outputs, results, rules, precision };
+    Ok(text(contract, kernel, references, builder.graph, made))
+}
+
+/// What is made of a kernel's formulas, besides the graph of its steps.
+struct Made {
+    requires: Vec<RequireText>,
+    outputs: Vec<Node>,
+    results: Vec<ResultText>,
+    rules: Vec<&'static str>,
+    precision: Precision,
+}
+
+fn text(
+    contract: &Contract,
+    kernel: &KernelContract,
+    references: &[Definition],
+    graph: Graph,
+    made: Made,
+) -> KernelText {
     let inputs: Vec<InputDoc> = contract
         .inputs_of(kernel)
         .into_iter()
@@ -90,8 +168,8 @@ pub fn make(
         .collect();
     let mut taken: Vec<String> = inputs.iter().map(|input| input.name.clone()).collect();
     taken.push(kernel.name.clone());
-    let program = name_steps(&builder.graph, &outputs, &taken);
-    Ok(KernelText {
+    let program = name_steps(&graph, &made.outputs, &taken);
+    KernelText {
         name: kernel.name.clone(),
         doc: kernel.doc.clone(),
         maxima: references.iter().map(definition_text).collect(),
@@ -101,13 +179,14 @@ pub fn make(
         edges: kernel.edges.clone(),
         returns: kernel.returns.clone(),
         inputs,
-        requires,
-        results,
-        rules: builder.used_rules().iter().copied().collect(),
-        precision,
+        requires: made.requires,
+        results: made.results,
+        rules: made.rules,
+        precision: made.precision,
+        certified_because: None,
         program,
-        graph: builder.graph,
-    })
+        graph,
+    }
 }
 
 fn definition_text(reference: &Definition) -> String {
@@ -192,7 +271,7 @@ fn results(
 ) -> Result<Vec<ResultText>, KernelError> {
     let error = |node| match precision {
         Precision::Double => builder.graph.error(node),
-        Precision::DoubleDouble => double_double::error(&builder.graph, node),
+        Precision::DoubleDouble | Precision::Certified => double_double::error(&builder.graph, node),
     };
     kernel
         .results
@@ -201,15 +280,17 @@ fn results(
         .map(|(result, &node)| {
             let bound = bound_in_ulp(error(node));
             let bound = bound.ok_or_else(|| KernelError::Unbounded(result.worksheet.clone()))?;
-            Ok(ResultText {
-                name: result.name.clone(),
-                worksheet: result.worksheet.clone(),
-                unit: result.unit.clone(),
-                bound,
-            })
+            Ok(result_text(result, bound))
         })
         .collect()
 }
+
+fn result_text(result: &ResultContract, bound: f64) -> ResultText {
+    ResultText { name: result.name.clone(), worksheet: result.worksheet.clone(), unit: result.unit.clone(), bound }
+}
+
+/// What every certified call keeps, in ulp: it is off by less than 2^-60 before it is rounded.
+const CERTIFIED: f64 = 0.51;
 
 /// A relative error in units of 2^-53 as a bound in ulp, rounded up.
 ///

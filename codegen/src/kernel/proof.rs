@@ -3,13 +3,14 @@
 //! The text is read back, so that what is proved is what is compiled. Every branch of the program must equal the
 //! reference; square roots are algebraic elements, literals the exact numbers that they are.
 
-use super::{KernelError, domain};
+use super::{KernelError, WORK, domain, written};
+use crate::algebra::{TooMuchWork, limited};
 use crate::expression::{Expr, lower};
 use crate::field::{Tower, TowerError};
 use crate::stable::builder::Builder;
 use crate::worksheet::contract::KernelContract;
 use closedform_maxima::Definition;
-use closedform_syntax::{BinaryOp, Expr as Source, Kernel as SourceKernel};
+use closedform_syntax::{BinaryOp, Expr as Source, Kernel as SourceKernel, Precision};
 use num_rational::BigRational;
 use thiserror::Error;
 
@@ -40,6 +41,28 @@ const ITERATE: &str = "%iterate";
 /// # Errors
 /// When it does not, or when either side has no canonical form.
 pub fn prove(source: &SourceKernel, contract: &KernelContract, references: &[Definition]) -> Result<(), ProofError> {
+    if source.meta.precision == Precision::Certified {
+        return prove_as_written(source, contract, references);
+    }
+    limited(WORK, || prove_equal(source, contract, references))
+        .unwrap_or_else(|TooMuchWork| Err(KernelError::TooMuchWork(contract.name.clone()).into()))
+}
+
+/// Step by step: of a kernel whose precision needs no stable form.
+fn prove_as_written(
+    source: &SourceKernel,
+    contract: &KernelContract,
+    references: &[Definition],
+) -> Result<(), ProofError> {
+    let failed = |cause| KernelError::Written { function: contract.name.clone(), cause };
+    if written::same(source, contract, references).map_err(failed)? {
+        return Ok(());
+    }
+    let name = |references: &[Definition]| references.iter().map(|r| r.name.clone()).collect::<Vec<_>>().join("`, `");
+    Err(ProofError::Different(contract.name.clone(), name(references)))
+}
+
+fn prove_equal(source: &SourceKernel, contract: &KernelContract, references: &[Definition]) -> Result<(), ProofError> {
     let choices = count_choices(source);
     for choice in 0..1_usize << choices.min(10) {
         let mut reader = Reader { inputs: &contract.inputs, choice, next: 0, roots: Vec::new(), slots: Vec::new() };

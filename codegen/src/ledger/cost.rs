@@ -17,6 +17,10 @@ const WIDE: [u32; 4] = [20, 9, 16 + 2 * DIVISION, 9 + DIVISION + ROOT];
 /// An operation inside a slice: the mean of its kinds, exact operands or not, with the size kept beside it.
 const IN_SLICE: u32 = 12;
 
+/// The operations of balls of 256 bits, in the same order, and a root of a polynomial.
+const BALL: [u32; 4] = [60, 80, 120, 700];
+const ROOT_OF_BALLS: u32 = 6_000;
+
 /// A falling iteration: about a dozen steps through a polynomial of degree four and its derivative, each with a division.
 const ITERATION: u32 = 12 * (2 * 2 * 4 + DIVISION);
 
@@ -25,6 +29,7 @@ pub(super) fn plain(count: &Operations, precision: Precision) -> u32 {
     match precision {
         Precision::Double => in_double(count),
         Precision::DoubleDouble => faithful(count),
+        Precision::Certified => certified(count),
     }
 }
 
@@ -36,6 +41,16 @@ fn in_double(count: &Operations) -> u32 {
 pub(super) fn faithful(count: &Operations) -> u32 {
     let [add, mul, div, sqrt] = WIDE;
     add * count.add + mul * count.mul + div * count.div + sqrt * count.sqrt + inner(count)
+}
+
+/// The certified call, where 256 bits are enough.
+fn certified(count: &Operations) -> u32 {
+    let [add, mul, div, sqrt] = BALL;
+    add * (count.add + count.compensated)
+        + mul * count.mul
+        + div * count.div
+        + sqrt * count.sqrt
+        + ROOT_OF_BALLS * count.root
 }
 
 /// The formula as it is written; `None` where it has no such form.

@@ -7,7 +7,7 @@ use closedform::__private::Soft;
 use closedform::Real;
 use closedform_syntax::{Arithmetic, Kernel, Precision, Slice, SliceArithmetic, evaluate, violated};
 
-use super::{Compiled, run};
+use super::{Compiled, results, run};
 
 /// The magnitudes between which products in double-double are error-free: beyond, an operand cannot be split; below,
 /// errors underflow.
@@ -20,6 +20,7 @@ pub fn covers(kernel: &Kernel, point: &[f64]) -> bool {
     match kernel.meta.precision {
         Precision::Double => steps_stay(kernel, point),
         Precision::DoubleDouble => results_stay(kernel, point),
+        Precision::Certified => results(kernel, point).map_or(true, |results| results.into_iter().all(stays)),
     }
 }
 
@@ -27,12 +28,13 @@ pub fn covers(kernel: &Kernel, point: &[f64]) -> bool {
 fn results_stay(kernel: &Kernel, point: &[f64]) -> bool {
     let zero = Soft::from_f64(0.0);
     let point: Vec<Soft> = point.iter().map(|value| Soft::from_f64(*value)).collect();
-    run(kernel, &Compiled(zero), &point).map_or(true, |results| {
-        results.into_iter().all(|result| {
-            let rounded = result.to_f64();
-            result == zero || rounded.is_nan() || rounded.is_normal()
-        })
-    })
+    run(kernel, &Compiled(zero), &point)
+        .map_or(true, |results| results.into_iter().all(|result| result == zero || stays(result.to_f64())))
+}
+
+/// Whether a result has not overflowed nor lost bits to underflow.
+fn stays(result: f64) -> bool {
+    result == 0.0 || result.is_nan() || result.is_normal()
 }
 
 fn steps_stay(kernel: &Kernel, point: &[f64]) -> bool {

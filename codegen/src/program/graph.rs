@@ -1,8 +1,9 @@
 //! The graph of steps: equal steps are one node, and each knows its sign and a bound of its relative error.
 
 use crate::field::Sign;
+use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, Zero};
 use std::collections::HashMap;
 
 /// A node of a [`Graph`], by position; operands come before the nodes that use them.
@@ -123,6 +124,9 @@ pub struct Graph {
 /// What a rounding to nearest adds to a relative error, in units of 2^-53.
 const ROUNDING: f64 = 1.0;
 
+/// The power of two by which an integer beyond all literals is divided.
+const STEP_OF_TWOS: usize = 512;
+
 /// How far a `compensated!` slice may be off, in units of 2^-53: `closedform-syntax` sets its threshold so that it is
 /// right to a thousandth before it is rounded.
 const COMPENSATED: f64 = 1.0 + 0.001;
@@ -204,16 +208,24 @@ impl Graph {
         if is_exact(value) {
             return self.push(Op::Literal(value.clone()), Sign::of(value), 0.0);
         }
-        let rounded = value.to_f64().and_then(BigRational::from_float).filter(is_exact);
-        let Some(rounded) = rounded else {
-            // beyond what a literal may be: the proof refuses it
-            return self.push(Op::Literal(BigRational::zero()), Sign::ANY, f64::INFINITY);
+        let (leading, rest) = match leading_bits(value) {
+            Some(leading) => (self.integer_constant(&leading), value - leading),
+            None => self.beyond_literals(value),
         };
-        let rest = self.integer_constant(&(value - &rounded));
-        let leading = self.integer_constant(&rounded);
+        if rest.is_zero() {
+            return leading;
+        }
+        let rest = self.integer_constant(&rest);
         let sum = self.add(leading, rest);
         self.learn(sum, Sign::of(value));
         sum
+    }
+
+    /// The leading part of an integer that no literal reaches, as a product with a power of two, and the rest.
+    fn beyond_literals(&mut self, value: &BigRational) -> (Node, BigRational) {
+        let (step, high, rest) = beyond_literals(value);
+        let (step, high) = (self.integer_constant(&step), self.integer_constant(&high));
+        (self.push(Op::Mul(step, high), Sign::of(value), self.error(high)), rest)
     }
 
     /// The value of a literal.
@@ -474,8 +486,26 @@ pub fn is_exact(value: &BigRational) -> bool {
     let trailing = value.numer().trailing_zeros().unwrap_or(0);
     is_power_of_two(&BigRational::from_integer(value.denom().clone()))
         && bits - trailing <= 53
-        && bits < 900
-        && value.denom().bits() < 900
+        && bits <= 1_024
+        && value.denom().bits() <= 1_023
+}
+
+/// The leading 53 bits of an integer, so that the rest has its sign; `None` beyond all literals.
+#[must_use]
+pub fn leading_bits(value: &BigRational) -> Option<BigRational> {
+    let integer = value.to_integer();
+    let less = integer.bits().saturating_sub(53) as usize;
+    let leading = BigRational::from_integer((integer.abs() >> less << less) * integer.signum());
+    Some(leading).filter(is_exact)
+}
+
+/// An integer beyond all literals as `step*high + rest`, with a power of two for a step.
+#[must_use]
+pub fn beyond_literals(value: &BigRational) -> (BigRational, BigRational, BigRational) {
+    let step = BigRational::from_integer(BigInt::one() << STEP_OF_TWOS);
+    let high = (value / &step).trunc();
+    let rest = value - &high * &step;
+    (step, high, rest)
 }
 
 /// Whether the number is a power of two, or the negative of one.

@@ -5,5 +5,5 @@ mod graph;
 mod naming;
 
 pub use cost::{Cost, cost};
-pub use graph::{Condition, Graph, Node, Op, Order, Wide, is_exact, is_power_of_two};
+pub use graph::{Condition, Graph, Node, Op, Order, Wide, beyond_literals, is_exact, is_power_of_two, leading_bits};
 pub use naming::{Let, Program, name_steps};

@@ -47,6 +47,8 @@ pub struct KernelText {
     pub rules: Vec<&'static str>,
     /// What it computes in.
     pub precision: Precision,
+    /// Why the formula stands as it is written, in certified arithmetic, if it does.
+    pub certified_because: Option<String>,
     /// The steps.
     pub graph: Graph,
     /// The order and the names of the steps.
@@ -179,6 +181,7 @@ fn bound_line(kernel: &KernelText, result: &ResultText) -> String {
     let of = match kernel.precision {
         Precision::Double => "",
         Precision::DoubleDouble => " of the result",
+        Precision::Certified => " of the result; every call sees to it, and gives NaN where 4,096 bits do not decide",
     };
     format!("- {what}at most {} ulp, barring overflow and underflow{of}", result.bound)
 }
@@ -191,7 +194,7 @@ fn print_attribute(text: &mut String, family: &str, kernel: &KernelText) {
     let _ = writeln!(text, "    source = {:?},", kernel.source);
     let rules: Vec<String> = kernel.rules.iter().map(|rule| format!("{rule:?}")).collect();
     let _ = writeln!(text, "    rules({}),", rules.join(", "));
-    if kernel.precision == Precision::DoubleDouble {
+    if kernel.precision != Precision::Double {
         let _ = writeln!(text, "    precision = {:?},", kernel.precision.name());
     }
     if kernel.returns.is_some() {

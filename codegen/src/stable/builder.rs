@@ -4,9 +4,9 @@ use super::nest::{Mode, Nested, Nester};
 use super::rules::{self, Rule};
 use crate::algebra::{Polynomial, Var};
 use crate::field::{Element, Radical, Sign, Tower, TowerError, parts};
-use crate::program::{Condition, Graph, Node, Op, Order, Wide, is_exact};
+use crate::program::{Condition, Graph, Node, Op, Order, Wide, beyond_literals, is_exact, leading_bits};
 use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, Zero};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Builds the steps of one kernel.
@@ -337,9 +337,15 @@ impl Builder {
         if is_exact(value) {
             return Wide::Leaf(self.graph.constant(value));
         }
-        let high = value.to_f64().and_then(BigRational::from_float).unwrap_or_else(BigRational::zero);
-        let low = self.wide_constant(&(value - &high));
-        Wide::Add(Box::new(Wide::Leaf(self.graph.constant(&high))), Box::new(low))
+        let (high, rest) = match leading_bits(value) {
+            Some(leading) => (Wide::Leaf(self.graph.constant(&leading)), value - leading),
+            None => {
+                let (step, high, rest) = beyond_literals(value);
+                let step = Wide::Leaf(self.graph.constant(&step));
+                (Wide::Mul(Box::new(step), Box::new(self.wide_constant(&high))), rest)
+            }
+        };
+        if rest.is_zero() { high } else { Wide::Add(Box::new(high), Box::new(self.wide_constant(&rest))) }
     }
 
     /// The two inputs whose difference a variable stands for.

@@ -29,8 +29,10 @@ pub enum Mode {
     Wide,
 }
 
-/// How many variables are tried as the outermost one of a Horner form.
+/// How many variables are tried as the outermost one of a Horner form, while no more than so many polynomials have been
+/// nested: of many variables, all orders are too many.
 const TRIED: usize = 3;
+const MANY: usize = 1_000;
 
 /// Finds nested forms over a domain, remembering what it found.
 pub struct Nester<'f> {
@@ -98,7 +100,8 @@ impl<'f> Nester<'f> {
             (std::cmp::Reverse(uses), var)
         });
         let mut best: Option<(Nested, usize)> = None;
-        for var in variables.into_iter().take(TRIED) {
+        let tried = if self.found.len() < MANY { TRIED } else { 1 };
+        for var in variables.into_iter().take(tried) {
             let candidate = self.horner_in(polynomial, var);
             if let Some((nested, cost)) = candidate
                 && best.as_ref().is_none_or(|(_, least)| cost < *least)

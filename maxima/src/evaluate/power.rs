@@ -35,8 +35,10 @@ pub(super) fn power(scope: &Scope, base: &Expr, exponent: &Expr) -> Result<Float
 
 fn rational_power(scope: &Scope, value: Float, exponent: &BigRational, base: &Expr) -> Result<Float> {
     let not_real = || EvalError::NotReal { span: base.span.clone() };
-    if value.is_zero() && exponent.is_zero() {
-        return Err(not_real());
+    if exponent.is_zero() {
+        // x^0 is 1 for every x, as Maxima simplifies it; 0^0 is an error there
+        let zero = constant(base).is_some_and(|base| base.is_zero());
+        return if zero { Err(not_real()) } else { Ok(scope.float(1)) };
     }
     if value.is_zero() && *exponent < BigRational::zero() {
         return Err(EvalError::DivisionByZero { span: base.span.clone() });

@@ -5,7 +5,8 @@ use crate::algebra::Polynomial;
 use crate::field::{Radical, Sign, TowerError, conjugate, parts};
 use crate::program::Node;
 use crate::stable::builder::{Builder, Quotient};
-use num_traits::Signed;
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
 
 /// The rule.
 pub const RULE: Rule = Rule {
@@ -74,6 +75,10 @@ fn rationalised(
     sign: Sign,
 ) -> Result<Node, TowerError> {
     let norm = builder.tower.norm(sum, radical);
+    if norm.is_zero() {
+        // a = -b*sqrt(r) wherever the two are of opposite signs
+        return Ok(builder.graph.constant(&BigRational::zero()));
+    }
     let mut below = conjugate(sum, radical.var);
     let mut sign = sign;
     if sign.is(Sign::NONPOSITIVE) {

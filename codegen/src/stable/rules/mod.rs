@@ -1,5 +1,6 @@
 //! The rules: named rewrites that keep digits, each with the condition under which it holds.
 
+pub mod certified;
 pub mod compensated;
 pub mod conjugate;
 pub mod differences_first;
@@ -27,7 +28,8 @@ pub struct Rule {
 }
 
 /// Every rule, in alphabetical order.
-pub const ALL: [&Rule; 14] = [
+pub const ALL: [&Rule; 15] = [
+    &certified::RULE,
     &compensated::RULE,
     &conjugate::RULE,
     &differences_first::RULE,

@@ -1,0 +1,329 @@
+//! `Ball`: the arithmetic of certified calls, whose every value carries a rigorous bound of its own error.
+//!
+//! A value is a float of `L` words and a radius: the exact value of what the program computes lies between them (ball
+//! arithmetic: van der Hoeven; Johansson's Arb). A comparison is decided where the balls are apart, and where a separation
+//! bound shows that the two sides are equal. What is not decided is said to be [unsettled](Settling): the call is then
+//! computed again with more words.
+
+mod limbs;
+mod radius;
+mod root;
+mod separation;
+#[cfg(all(test, feature = "std"))]
+mod tests;
+
+use core::cell::Cell;
+use core::cmp::Ordering;
+
+use crate::float;
+use crate::real::Real;
+use limbs::{Cut, Limbs};
+use radius::Radius;
+use separation::Separation;
+
+/// What a computation in balls leaves open, and how many values it has made so far.
+#[derive(Default)]
+pub struct Settling {
+    unsettled: Cell<bool>,
+    values: Cell<u32>,
+}
+
+impl Settling {
+    /// Whether a comparison was not decided.
+    pub fn is_unsettled(&self) -> bool {
+        self.unsettled.get()
+    }
+
+    /// A number that no value has had, from 1; the last one is given out for ever.
+    fn next(&self) -> u32 {
+        self.values.set(self.values.get().saturating_add(1));
+        self.values.get()
+    }
+}
+
+/// A number and a bound of its error.
+#[derive(Clone)]
+pub struct Ball<'a, const L: usize> {
+    kind: Kind,
+    middle: Limbs<L>,
+    radius: Radius,
+    /// How small the exact value can be if it is not zero, where that is known.
+    separation: Option<Separation>,
+    /// Which value of the computation it is: the same one is equal to itself.
+    number: u32,
+    settling: &'a Settling,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Number,
+    /// There is no value: the root of a negative number, a quotient by zero.
+    Nothing,
+    /// Whether there is a value could not be decided.
+    Unknown,
+}
+
+/// An accepted error: with it a value rounded to nearest is off by 0.5 + 2^-7 units in the last place at most.
+const ACCEPTED: i64 = -60;
+
+impl<'a, const L: usize> Ball<'a, L> {
+    /// Exact; no value unless finite.
+    pub fn new(value: f64, settling: &'a Settling) -> Self {
+        if !value.is_finite() {
+            return Self::without_value(Kind::Nothing, settling);
+        }
+        let (significand, exponent) = float::significand(value);
+        Ball {
+            kind: Kind::Number,
+            middle: Limbs::from_f64(value),
+            radius: Radius::ZERO,
+            separation: Some(Separation::of_dyadic(significand, exponent.into())),
+            number: settling.next(),
+            settling,
+        }
+    }
+
+    fn without_value(kind: Kind, settling: &'a Settling) -> Self {
+        let number = settling.next();
+        Ball { kind, middle: Limbs::ZERO, radius: Radius::ZERO, separation: None, number, settling }
+    }
+
+    fn of(&self, (middle, cut): Cut<L>, radius: Radius, separation: Option<Separation>) -> Self {
+        let radius = cut.map_or(radius, |exponent| radius.plus(Radius::power_of_two(exponent)));
+        let number = self.settling.next();
+        Ball { kind: Kind::Number, middle, radius, separation, number, settling: self.settling }.zero_if_shown()
+    }
+
+    /// The exact zero, where the separation bound shows that the value can be nothing else.
+    fn zero_if_shown(self) -> Self {
+        let exact = self.radius.is_zero();
+        let least = self.separation.and_then(Separation::least);
+        let vanishes = !exact && !self.is_apart_from_zero() && least.is_some_and(|least| self.is_below(least));
+        if vanishes { Ball::new(0.0, self.settling) } else { self }
+    }
+
+    /// Whether all of the ball is of one sign.
+    fn is_apart_from_zero(&self) -> bool {
+        !self.middle.is_zero() && self.radius.is_less_than(self.middle.leading(), self.middle.exponent())
+    }
+
+    /// Whether all of the ball is below 2^exponent in magnitude.
+    fn is_below(&self, exponent: i64) -> bool {
+        self.size().is_less_than(0.5, exponent.saturating_add(1))
+    }
+
+    /// At least the largest magnitude in the ball.
+    fn size(&self) -> Radius {
+        self.middle_size().plus(self.radius)
+    }
+
+    /// At least the magnitude of the middle.
+    fn middle_size(&self) -> Radius {
+        Radius::new(self.middle.leading(), self.middle.exponent())
+    }
+
+    /// The sign: `None` if it is not decided.
+    fn sign(&self) -> Option<Ordering> {
+        match self.kind {
+            Kind::Number if self.is_apart_from_zero() && self.middle.is_negative() => Some(Ordering::Less),
+            Kind::Number if self.is_apart_from_zero() => Some(Ordering::Greater),
+            Kind::Number if self.radius.is_zero() => Some(Ordering::Equal),
+            _ => None,
+        }
+    }
+
+    /// What an operation on two balls gives where one of them has no value.
+    fn without_values(&self, other: &Self) -> Option<Self> {
+        let kind = match (self.kind, other.kind) {
+            (Kind::Number, Kind::Number) => return None,
+            (Kind::Nothing, _) | (_, Kind::Nothing) => Kind::Nothing,
+            _ => Kind::Unknown,
+        };
+        Some(Self::without_value(kind, self.settling))
+    }
+
+    /// The nearest `f64` with an error of 0.51 units in the last place at most, NaN where there is no value; `None` where
+    /// the ball is too large for that.
+    pub fn accepted(&self) -> Option<f64> {
+        match self.kind {
+            Kind::Nothing => Some(f64::NAN),
+            Kind::Unknown => None,
+            Kind::Number if self.radius.is_zero() => Some(self.middle.to_f64()),
+            Kind::Number => {
+                let allowed = self.middle.exponent().saturating_add(ACCEPTED);
+                let accepted = !self.middle.is_zero() && self.radius.is_less_than(0.5, allowed);
+                accepted.then(|| self.middle.to_f64())
+            }
+        }
+    }
+
+    /// As a number of which only the value counts.
+    fn without_separation(self) -> Self {
+        Ball { separation: None, ..self }
+    }
+
+    fn joined(&self, other: &Self, join: fn(Separation, Separation) -> Option<Separation>) -> Option<Separation> {
+        join(self.separation?, other.separation?)
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        self.without_values(other).unwrap_or_else(|| {
+            let separation = self.joined(other, Separation::plus);
+            self.of(self.middle.plus(other.middle), self.radius.plus(other.radius), separation)
+        })
+    }
+
+    fn negated(&self) -> Self {
+        Ball { middle: self.middle.negated(), number: self.settling.next(), ..self.clone() }
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        self.without_values(other).unwrap_or_else(|| {
+            let radius = self.radius.times(other.size()).plus(self.middle_size().times(other.radius));
+            self.of(self.middle.times(other.middle), radius, self.joined(other, Separation::times))
+        })
+    }
+
+    /// |x/y - a/b| <= (r_x + |a/b| r_y)/|y|, where y is no nearer to zero than |b| - r_y, at least |b|/2 here.
+    fn over(&self, other: &Self) -> Self {
+        if let Some(without) = self.without_values(other) {
+            return without;
+        }
+        match other.sign() {
+            Some(Ordering::Equal) => return Self::without_value(Kind::Nothing, self.settling),
+            None => return Self::without_value(Kind::Unknown, self.settling),
+            Some(_) => {}
+        }
+        if !other.radius.is_less_than(other.middle.leading(), other.middle.exponent() - 1) {
+            return Self::without_value(Kind::Unknown, self.settling);
+        }
+        let (value, exponent) = (other.middle.leading(), other.middle.exponent());
+        let quotient = self.middle_size().over(value, exponent);
+        let radius = self.radius.plus(quotient.times(other.radius)).over(value, exponent - 1);
+        self.of(self.middle.over(other.middle), radius, self.joined(other, Separation::over))
+    }
+
+    fn square_root(&self) -> Self {
+        let number = self.settling.next();
+        match (self.kind, self.sign()) {
+            (Kind::Number, Some(Ordering::Greater)) => {}
+            (Kind::Number, Some(Ordering::Equal)) => return self.clone(),
+            (Kind::Number, Some(Ordering::Less)) | (Kind::Nothing, _) => {
+                return Self::without_value(Kind::Nothing, self.settling);
+            }
+            _ => return Self::without_value(Kind::Unknown, self.settling),
+        }
+        let (root, radius) = root::square_root(self.middle, self.radius);
+        self.of((root, None), radius, self.separation.and_then(|separation| separation.root(number)))
+    }
+}
+
+impl<const L: usize> PartialEq for Ball<'_, L> {
+    fn eq(&self, other: &Self) -> bool {
+        self.partial_cmp(other) == Some(Ordering::Equal)
+    }
+}
+
+impl<const L: usize> PartialOrd for Ball<'_, L> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        if self.number == other.number && self.number != u32::MAX && self.kind == Kind::Number {
+            return Some(Ordering::Equal);
+        }
+        let difference = self.plus(&other.negated());
+        if difference.kind == Kind::Nothing {
+            return None;
+        }
+        let sign = difference.sign();
+        self.settling.unsettled.set(self.settling.unsettled.get() | sign.is_none());
+        sign
+    }
+}
+
+impl<const L: usize> Real for Ball<'_, L> {
+    type Wide = Self;
+
+    fn literal(&self, value: f64) -> Self {
+        Ball::new(value, self.settling)
+    }
+
+    fn pi(&self) -> Self {
+        self.of(Limbs::from_fraction(2, &root::PI), Radius::ZERO, None)
+    }
+
+    fn nan(&self) -> Self {
+        Self::without_value(Kind::Nothing, self.settling)
+    }
+
+    fn add(&self, other: &Self) -> Self {
+        self.plus(other)
+    }
+
+    fn sub(&self, other: &Self) -> Self {
+        self.plus(&other.negated())
+    }
+
+    fn mul(&self, other: &Self) -> Self {
+        self.times(other)
+    }
+
+    fn div(&self, other: &Self) -> Self {
+        self.over(other)
+    }
+
+    fn neg(&self) -> Self {
+        self.negated()
+    }
+
+    fn sqrt(&self) -> Self {
+        self.square_root()
+    }
+
+    /// The magnitude of the middle is no farther from that of the value than the middle is from the value.
+    fn abs(&self) -> Self {
+        Ball { middle: self.middle.magnitude(), number: self.settling.next(), ..self.clone() }
+    }
+
+    fn is_finite(&self) -> bool {
+        self.kind != Kind::Nothing
+    }
+
+    fn positive_root(&self, coefficients: &[Self]) -> Self {
+        root::positive_root(self, coefficients)
+    }
+
+    fn two_sum(&self, other: &Self) -> Self {
+        self.plus(other)
+    }
+
+    fn two_product(&self, other: &Self) -> Self {
+        self.times(other)
+    }
+
+    fn wide_neg(wide: &Self) -> Self {
+        wide.negated()
+    }
+
+    fn wide_add_exact(wide: &Self, exact: &Self) -> Self {
+        wide.plus(exact)
+    }
+
+    fn wide_add(left: &Self, right: &Self) -> Self {
+        left.plus(right)
+    }
+
+    fn wide_mul_exact(wide: &Self, exact: &Self) -> Self {
+        wide.times(exact)
+    }
+
+    fn wide_mul(left: &Self, right: &Self) -> Self {
+        left.times(right)
+    }
+
+    fn compensated(wide: &Self, _: f64, _: &[&Self], _: &[u8]) -> Self {
+        wide.clone()
+    }
+
+    fn residual(wide: &Self) -> Self {
+        wide.clone()
+    }
+}

@@ -1,0 +1,128 @@
+//! Roots of numbers and of polynomials in balls: by Newton's iteration, whose result is then bounded from what it leaves.
+
+use core::cmp::Ordering;
+
+use super::limbs::Limbs;
+use super::radius::Radius;
+use super::{Ball, Kind};
+use crate::float;
+use crate::root::{Term, scaled_root};
+
+/// A quarter of the circle constant: 4,160 bits, from the most to the least.
+#[rustfmt::skip]
+pub(super) const PI: [u64; 65] = [
+    0xc90fdaa22168c234, 0xc4c6628b80dc1cd1, 0x29024e088a67cc74, 0x020bbea63b139b22,
+    0x514a08798e3404dd, 0xef9519b3cd3a431b, 0x302b0a6df25f1437, 0x4fe1356d6d51c245,
+    0xe485b576625e7ec6, 0xf44c42e9a637ed6b, 0x0bff5cb6f406b7ed, 0xee386bfb5a899fa5,
+    0xae9f24117c4b1fe6, 0x49286651ece45b3d, 0xc2007cb8a163bf05, 0x98da48361c55d39a,
+    0x69163fa8fd24cf5f, 0x83655d23dca3ad96, 0x1c62f356208552bb, 0x9ed529077096966d,
+    0x670c354e4abc9804, 0xf1746c08ca18217c, 0x32905e462e36ce3b, 0xe39e772c180e8603,
+    0x9b2783a2ec07a28f, 0xb5c55df06f4c52c9, 0xde2bcbf695581718, 0x3995497cea956ae5,
+    0x15d2261898fa0510, 0x15728e5a8aaac42d, 0xad33170d04507a33, 0xa85521abdf1cba64,
+    0xecfb850458dbef0a, 0x8aea71575d060c7d, 0xb3970f85a6e1e4c7, 0xabf5ae8cdb0933d7,
+    0x1e8c94e04a25619d, 0xcee3d2261ad2ee6b, 0xf12ffa06d98a0864, 0xd87602733ec86a64,
+    0x521f2b18177b200c, 0xbbe117577a615d6c, 0x770988c0bad946e2, 0x08e24fa074e5ab31,
+    0x43db5bfce0fd108e, 0x4b82d120a9210801, 0x1a723c12a787e6d7, 0x88719a10bdba5b26,
+    0x99c327186af4e23c, 0x1a946834b6150bda, 0x2583e9ca2ad44ce8, 0xdbbbc2db04de8ef9,
+    0x2e8efc141fbecaa6, 0x287c59474e6bc05d, 0x99b2964fa090c3a2, 0x233ba186515be7ed,
+    0x1f612970cee2d7af, 0xb81bdd762170481c, 0xd0069127d5b05aa9, 0x93b4ea988d8fddc1,
+    0x86ffb7dc90a6c08f, 0x4df435c934028492, 0x36c3fab4d27c7026, 0xc1d4dcb2602646de,
+    0xc9751e763dba37bd,
+];
+
+/// Steps that lead from the digits of `f64` to all of `L` words, each of which doubles them, and one for good measure.
+fn steps(words: usize) -> u32 {
+    (64 * words / 40).max(1).ilog2() + 2
+}
+
+/// The square root of a number, positive and farther from zero than its error, and the error of that root.
+///
+/// With s the root, `|x - s| = |f - x^2|/(x + s) <= |f - x^2|/x`; and the root of what is e away is at most e/s away.
+pub(super) fn square_root<const L: usize>(middle: Limbs<L>, error: Radius) -> (Limbs<L>, Radius) {
+    let half = middle.exponent().div_euclid(2);
+    let radicand = middle.scaled(-2 * half);
+    let mut root = Limbs::from_f64(float::sqrt(radicand.to_f64()));
+    for _ in 0..steps(L) {
+        let (left, _) = residual(radicand, root);
+        if left.is_zero() {
+            break;
+        }
+        let (correction, _) = left.over(root.scaled(1));
+        (root, _) = root.plus(correction);
+    }
+    let (left, cut) = residual(radicand, root);
+    let (value, exponent) = (root.leading(), root.exponent());
+    let off = Radius::new(left.leading(), left.exponent()).plus(cut).over(value, exponent);
+    let off = off.times(Radius::power_of_two(half));
+    (root.scaled(half), off.plus(error.over(value, exponent + half)))
+}
+
+/// `radicand - root^2`, and what was cut off of it.
+fn residual<const L: usize>(radicand: Limbs<L>, root: Limbs<L>) -> (Limbs<L>, Radius) {
+    let (square, first) = root.times(root);
+    let (left, second) = radicand.plus(square.negated());
+    let cut = |cut: Option<i64>| cut.map_or(Radius::ZERO, Radius::power_of_two);
+    (left, cut(first).plus(cut(second)))
+}
+
+/// The one positive root of c0 + c1 x + .. + cn x^n; see [`positive_root`](crate::positive_root()).
+pub(super) fn positive_root<'a, const L: usize>(context: &Ball<'a, L>, coefficients: &[Ball<'a, L>]) -> Ball<'a, L> {
+    let without = |kind| Ball::without_value(kind, context.settling);
+    if coefficients.iter().any(|c| c.kind == Kind::Nothing) {
+        return without(Kind::Nothing);
+    }
+    if coefficients.iter().any(|c| c.sign().is_none()) {
+        return without(Kind::Unknown);
+    }
+    let term = |c: &Ball<L>| {
+        let exponent = c.middle.exponent() - 1;
+        (!c.middle.is_zero()).then(|| Term { negative: c.middle.is_negative(), exponent })
+    };
+    let moved = |c: &Ball<L>, by: i64| c.middle.scaled(by).to_f64();
+    let Some((start, bound)) = scaled_root(coefficients, term, moved) else { return without(Kind::Nothing) };
+    let start = Limbs::from_f64(start).scaled(bound);
+    enclosed(context, coefficients, start).unwrap_or_else(|| without(Kind::Unknown))
+}
+
+/// The root near a start: the polynomial has opposite signs at both ends of the ball.
+fn enclosed<'a, const L: usize>(
+    context: &Ball<'a, L>,
+    coefficients: &[Ball<'a, L>],
+    start: Limbs<L>,
+) -> Option<Ball<'a, L>> {
+    let exact = |middle| Ball { middle, ..Ball::new(0.0, context.settling) }.without_separation();
+    let mut root = exact(start);
+    for _ in 0..steps(L) {
+        let (value, slope) = horner(coefficients, &root);
+        let next = root.plus(&value.over(&slope).negated());
+        root = exact(if next.kind == Kind::Number { next.middle } else { root.middle });
+    }
+    let (value, slope) = horner(coefficients, &root);
+    let step = value.over(&slope);
+    if step.kind != Kind::Number {
+        return None;
+    }
+    // twice the largest step that is left, but not less than some units in the last place
+    let units = Radius::power_of_two(root.middle.exponent() - 64 * L as i64 + 8);
+    let reach = step.size().plus(units).times(Radius::power_of_two(1));
+    let distance = exact(reach.upper());
+    let sign_at = |x: Ball<'a, L>| {
+        let x = exact(x.middle);
+        (x.sign() == Some(Ordering::Greater)).then(|| horner(coefficients, &x).0.sign())?
+    };
+    let below = sign_at(root.plus(&distance.negated()))?;
+    let above = sign_at(root.plus(&distance))?;
+    let found = (below, above) == (Ordering::Less, Ordering::Greater);
+    // the ends are rounded themselves
+    let number = context.settling.next();
+    found.then(|| Ball { radius: reach.plus(units), number, ..root.without_separation() })
+}
+
+/// The polynomial and its derivative at `x`.
+fn horner<'a, const L: usize>(coefficients: &[Ball<'a, L>], x: &Ball<'a, L>) -> (Ball<'a, L>, Ball<'a, L>) {
+    let zero = || Ball::new(0.0, x.settling);
+    coefficients.iter().rev().fold((zero(), zero()), |(value, slope), c| {
+        let next = slope.times(x).plus(&value);
+        (value.times(x).plus(c), next)
+    })
+}

@@ -1,0 +1,100 @@
+//! How small a value can be that is not zero: the separation bound that decides about exact zeros.
+//!
+//! A value made from dyadic numbers by `+ - * /` and square roots is 2^k U/L with algebraic integers U, L whose conjugates
+//! are bounded. If it is not zero, it is at least 2^k/(u^(D-1) l), where u and l bound the conjugates of U and L and D is
+//! 2 to the number of square roots (Burnikel, Funke, Mehlhorn, Schirra, Schmitt: A separation bound for real algebraic
+//! expressions, Algorithmica 55, 2009; with powers of two taken out as by Pion and Yap: Constructive root bound for k-ary
+//! rational input numbers, SoCG 2003).
+
+/// What is known of the algebraic number that a value is: k, the logarithms of u and l to base 2, rounded up, and the
+/// square roots that made it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Separation {
+    twos: i64,
+    upper: i64,
+    lower: i64,
+    roots: Roots,
+}
+
+/// The most square roots in one value: of more, the bound is far below what the largest floats tell from zero.
+const MOST_ROOTS: usize = 7;
+
+/// A set of square roots, by number; a zero stands for none.
+#[derive(Clone, Copy, Debug)]
+struct Roots([u32; MOST_ROOTS]);
+
+impl Roots {
+    const NONE: Self = Roots([0; MOST_ROOTS]);
+
+    /// `None` where there is no room for another one.
+    fn with(mut self, number: u32) -> Option<Self> {
+        if !self.0.contains(&number) {
+            *self.0.iter_mut().find(|root| **root == 0)? = number;
+        }
+        Some(self)
+    }
+
+    fn joined(self, other: Self) -> Option<Self> {
+        other.0.into_iter().filter(|root| *root != 0).try_fold(self, Self::with)
+    }
+
+    fn count(self) -> u32 {
+        self.0.iter().filter(|root| **root != 0).count() as u32
+    }
+}
+
+/// Values are decided about only if no number in their bounds is larger; far beyond what any tier holds.
+const LARGEST: i64 = 1 << 40;
+
+impl Separation {
+    /// Of an `f64` with this significand and exponent.
+    pub(super) fn of_dyadic(significand: u64, exponent: i64) -> Self {
+        let zeros = significand.trailing_zeros().min(63);
+        let bits = i64::from(64 - significand.leading_zeros()) - i64::from(zeros);
+        Separation { twos: exponent + i64::from(zeros), upper: bits.max(0), lower: 0, roots: Roots::NONE }
+    }
+
+    pub(super) fn plus(self, other: Self) -> Option<Self> {
+        let twos = self.twos.min(other.twos);
+        let one = self.upper + (self.twos - twos) + other.lower;
+        let two = other.upper + (other.twos - twos) + self.lower;
+        let roots = self.roots.joined(other.roots)?;
+        Self { twos, upper: one.max(two) + 1, lower: self.lower + other.lower, roots }.kept()
+    }
+
+    pub(super) fn times(self, other: Self) -> Option<Self> {
+        let upper = self.upper + other.upper;
+        let lower = self.lower + other.lower;
+        Self { twos: self.twos + other.twos, upper, lower, roots: self.roots.joined(other.roots)? }.kept()
+    }
+
+    pub(super) fn over(self, other: Self) -> Option<Self> {
+        let upper = self.upper + other.lower;
+        let lower = self.lower + other.upper;
+        Self { twos: self.twos - other.twos, upper, lower, roots: self.roots.joined(other.roots)? }.kept()
+    }
+
+    /// Of the square root, which is the one of this number, from 1, in the program.
+    pub(super) fn root(self, number: u32) -> Option<Self> {
+        let odd = self.twos.rem_euclid(2);
+        let inner = self.upper + odd;
+        let (upper, lower) = if inner >= self.lower {
+            ((inner + self.lower + 1).div_euclid(2), self.lower)
+        } else {
+            (inner, (inner + self.lower + 1).div_euclid(2))
+        };
+        Self { twos: (self.twos - odd) / 2, upper, lower, roots: self.roots.with(number)? }.kept()
+    }
+
+    /// The exponent of a power of two below every such value that is not zero.
+    pub(super) fn least(self) -> Option<i64> {
+        let degree = 1_i64.checked_shl(self.roots.count())?.checked_sub(1)?;
+        let below = self.upper.checked_mul(degree)?.checked_add(self.lower)?;
+        self.twos.checked_sub(below)
+    }
+
+    fn kept(self) -> Option<Self> {
+        let large = [self.twos.abs(), self.upper, self.lower].into_iter().any(|number| number > LARGEST);
+        (!large).then_some(self)
+    }
+}

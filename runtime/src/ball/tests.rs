@@ -1,0 +1,267 @@
+//! Balls hold the exact values, operation by operation, at operands of all sizes.
+
+extern crate std;
+
+use core::cmp::Ordering;
+use std::vec::Vec;
+
+use rug::float::Constant;
+use rug::ops::Pow;
+use rug::{Float, Integer};
+
+use super::limbs::Limbs;
+use super::radius::Radius;
+use super::{Ball, Kind, Separation, Settling};
+use crate::real::Real;
+
+/// More bits than any sum of two operands has.
+const BITS: u32 = 12_000;
+
+fn float_of<const L: usize>(number: &Limbs<L>) -> Float {
+    let (negative, words, exponent) = number.parts();
+    let integer = words.iter().rev().fold(Integer::new(), |integer, word| (integer << 64) + *word);
+    let float = Float::with_val(BITS, integer) << i32::try_from(exponent - 64 * L as i64).unwrap();
+    if negative { -float } else { float }
+}
+
+/// Whether the value lies in the ball.
+fn holds<const L: usize>(ball: &Ball<L>, exact: &Float) -> bool {
+    let (value, exponent) = ball.radius.parts();
+    let radius = Float::with_val(BITS, value) << i32::try_from(exponent).unwrap();
+    Float::with_val(BITS, float_of(&ball.middle) - exact).abs() <= radius
+}
+
+/// Numbers that follow no pattern, and patterns that carry, cancel and lie side by side.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 ^ self.0 >> 31).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+    }
+
+    fn below(&mut self, count: u64) -> u64 {
+        (self.next() >> 11) % count
+    }
+
+    fn word(&mut self) -> u64 {
+        match self.below(6) {
+            0 => 0,
+            1 => u64::MAX,
+            2 => 1 << 63,
+            3 => self.below(4),
+            _ => self.next(),
+        }
+    }
+
+    /// A ball, and a value in it: in the middle, at an end or in between.
+    fn ball<'a, const L: usize>(&mut self, settling: &'a Settling) -> (Ball<'a, L>, Float) {
+        let words: Vec<u64> = (0..L).map(|_| self.word()).collect();
+        let exponent = self.below(400) as i64 - 200;
+        let (middle, _) = Limbs::<L>::from_fraction(exponent, &words);
+        let middle = if self.below(2) == 0 { middle.negated() } else { middle };
+        let radius = match self.below(3) {
+            0 => Radius::ZERO,
+            _ => Radius::new(1.0 + self.below(1 << 20) as f64 / (1 << 20) as f64, exponent - self.below(300) as i64),
+        };
+        let ball = Ball { middle, radius, ..Ball::new(0.0, settling) }.without_separation();
+        let (value, power) = radius.parts();
+        let radius = Float::with_val(BITS, value) << i32::try_from(power).unwrap();
+        let part = Float::with_val(BITS, self.below(5)) / 2 - 1u32;
+        let inside = float_of(&ball.middle) + radius * part;
+        (ball, inside)
+    }
+
+    /// A second ball, sometimes so near that the difference cancels.
+    fn near<'a, const L: usize>(&mut self, of: &Ball<'a, L>) -> (Ball<'a, L>, Float) {
+        if self.below(3) != 0 {
+            return self.ball(of.settling);
+        }
+        let step =
+            Limbs::from_integer(false, 1 + self.below(3), of.middle.exponent() - 64 * L as i64 + self.below(70) as i64);
+        let (middle, _) = of.middle.plus(step);
+        let ball = Ball { middle, radius: Radius::ZERO, number: of.settling.next(), ..of.clone() };
+        let value = float_of(&ball.middle);
+        (ball, value)
+    }
+}
+
+fn operations_hold<const L: usize>(rounds: u32, seed: u64) {
+    let settling = Settling::default();
+    let mut random = Random(seed);
+    let (mut quotients, mut roots) = (0, 0);
+    for round in 0..rounds {
+        let (a, x) = random.ball::<L>(&settling);
+        let (b, y) = random.near(&a);
+        assert!(holds(&a.plus(&b), &Float::with_val(BITS, &x + &y)), "sum, {round}");
+        assert!(holds(&a.plus(&b.negated()), &Float::with_val(BITS, &x - &y)), "difference, {round}");
+        assert!(holds(&a.times(&b), &Float::with_val(BITS, &x * &y)), "product, {round}");
+        assert!(holds(&a.abs(), &x.clone().abs()), "magnitude, {round}");
+        let quotient = a.over(&b);
+        if quotient.kind == Kind::Number {
+            quotients += 1;
+            assert!(holds(&quotient, &Float::with_val(BITS, &x / &y)), "quotient, {round}");
+        }
+        let root = a.square_root();
+        if root.kind == Kind::Number {
+            roots += 1;
+            assert!(holds(&root, &x.clone().sqrt()), "root, {round}");
+        }
+        if let Some(order) = a.partial_cmp(&b) {
+            assert_eq!(Some(order), x.partial_cmp(&y), "order, {round}");
+        }
+    }
+    assert!(quotients > rounds / 3 && roots > rounds / 5, "{quotients} quotients and {roots} roots of {rounds}");
+}
+
+#[test]
+fn balls_hold_what_operations_give() {
+    operations_hold::<1>(20_000, 1);
+    operations_hold::<2>(20_000, 2);
+    operations_hold::<4>(20_000, 3);
+    operations_hold::<16>(2_000, 4);
+    operations_hold::<64>(200, 5);
+}
+
+#[test]
+fn balls_of_exact_operands_are_small() {
+    let settling = Settling::default();
+    let mut random = Random(6);
+    for _ in 0..5_000 {
+        let number = |random: &mut Random| {
+            let value = 1.0 + random.below(1 << 52) as f64 / (1_u64 << 52) as f64;
+            Ball::<4>::new(value, &settling)
+        };
+        let (a, b) = (number(&mut random), number(&mut random));
+        for (result, what) in [(a.over(&b), "quotient"), (a.square_root(), "root"), (a.times(&b), "product")] {
+            let unit = result.middle.exponent() - 64 * 4;
+            assert!(result.radius.is_less_than(0.5, unit + 5), "{what}: {:?}", result.radius);
+        }
+        assert!(a.times(&b).radius.is_zero() && a.plus(&b).radius.is_zero(), "106 bits are exact");
+    }
+}
+
+#[test]
+fn the_circle_constant_is_right_to_all_words() {
+    let settling = Settling::default();
+    let pi = Ball::<64>::new(1.0, &settling).pi();
+    assert!(holds(&pi, &Float::with_val(BITS, Constant::Pi)));
+    assert!(pi.radius.is_less_than(0.5, 4 - 64 * 64));
+}
+
+#[test]
+fn numbers_round_as_the_processor_rounds() {
+    let settling = Settling::default();
+    let mut random = Random(7);
+    for _ in 0..20_000 {
+        let (a, b) = (f64::from_bits(random.next()), f64::from_bits(random.next()));
+        if a.is_finite() && b.is_finite() {
+            let (x, y) = (Ball::<4>::new(a, &settling), Ball::<4>::new(b, &settling));
+            assert_eq!(x.accepted(), Some(a));
+            let product = x.times(&y).accepted().unwrap();
+            assert!(product == a * b || product.is_infinite(), "{a:e} * {b:e}");
+        }
+    }
+}
+
+/// The sum of the roots of the first two numbers less those of the others.
+fn four_roots<'a, const L: usize>(numbers: [f64; 4], settling: &'a Settling) -> Ball<'a, L> {
+    let [a, b, c, d] = numbers.map(|x| Ball::<L>::new(x, settling).square_root());
+    a.plus(&b).plus(&c.negated()).plus(&d.negated())
+}
+
+#[test]
+fn what_is_exactly_zero_is_shown_to_be() {
+    let settling = Settling::default();
+    for numbers in [[2.0, 3.0, 3.0, 2.0], [0.1, 7.3, 7.3, 0.1], [1e10, 3e-5, 3e-5, 1e10], [8.0, 2.0, 18.0, 0.0]] {
+        assert_eq!(four_roots::<64>(numbers, &settling).accepted(), Some(0.0), "{numbers:?}");
+    }
+    // (sqrt(2) + sqrt(3))^2 - 5 - 2 sqrt(6), and 1/3 + 1/3 + 1/3 - 1
+    let number = |x| Ball::<16>::new(x, &settling);
+    let sum = number(2.0).square_root().plus(&number(3.0).square_root());
+    let rest = number(5.0).plus(&number(24.0).square_root());
+    assert_eq!(sum.times(&sum).plus(&rest.negated()).accepted(), Some(0.0));
+    let third = number(1.0).over(&number(3.0));
+    assert_eq!(third.plus(&third).plus(&third).plus(&number(-1.0)).accepted(), Some(0.0));
+}
+
+#[test]
+fn a_value_is_equal_to_itself() {
+    let settling = Settling::default();
+    let pi = Ball::<4>::new(1.0, &settling).pi();
+    assert_eq!(pi.partial_cmp(&pi.clone()), Some(Ordering::Equal));
+    assert_eq!(pi.partial_cmp(&Ball::<4>::new(1.0, &settling).pi()), None, "another value");
+    let nothing = Ball::<4>::new(-1.0, &settling).square_root();
+    assert_eq!(nothing.partial_cmp(&nothing.clone()), None);
+}
+
+#[test]
+fn what_is_nearly_zero_is_not_taken_for_zero() {
+    // sqrt(a) + sqrt(b) - sqrt(c) - sqrt(d) at integers where it is small, and at the neighbours of where it vanishes
+    let settling = Settling::default();
+    let next = 7.3_f64.next_up();
+    for numbers in [[0.1, 7.3, next, 0.1], [1e10, 3e-5, 3e-5, 1e10_f64.next_down()], [10.0, 11.0, 5.0, 18.0]] {
+        let exact = numbers.map(|x| Float::with_val(BITS, x).sqrt());
+        let exact = Float::with_val(BITS, &exact[0] + &exact[1]) - &exact[2] - &exact[3];
+        let found = four_roots::<64>(numbers, &settling).accepted().unwrap();
+        assert_eq!(found, exact.to_f64(), "{numbers:?}");
+        assert!(found != 0.0);
+    }
+}
+
+/// The bound must hold for every value that is not zero: the powers of sqrt(2) - 1 come near it.
+#[test]
+fn separation_bounds_hold() {
+    let settling = Settling::default();
+    let one = Ball::<64>::new(1.0, &settling);
+    let small = Ball::<64>::new(2.0, &settling).square_root().plus(&one.negated());
+    let mut power = one.clone();
+    for exponent in 1..200 {
+        power = power.times(&small);
+        let least = power.separation.and_then(Separation::least).unwrap();
+        let exact = (Float::with_val(BITS, 2).sqrt() - 1u32).pow(exponent);
+        assert!(Float::with_val(BITS, exact) >= Float::with_val(BITS, 1) << i32::try_from(least).unwrap());
+    }
+}
+
+#[test]
+fn what_has_no_value_and_what_is_unknown_are_told_apart() {
+    let settling = Settling::default();
+    let number = |x| Ball::<4>::new(x, &settling);
+    assert_eq!(number(-1.0).square_root().kind, Kind::Nothing);
+    assert_eq!(number(1.0).over(&number(0.0)).kind, Kind::Nothing);
+    // a sum with pi that the circle constant's bits do not tell from zero
+    let pi = number(1.0).pi();
+    let rest = pi.plus(&pi.negated());
+    assert_eq!((rest.square_root().kind, number(1.0).over(&rest).kind), (Kind::Unknown, Kind::Unknown));
+    assert!(!settling.is_unsettled());
+    assert_eq!(rest.partial_cmp(&number(0.0)), None);
+    assert!(settling.is_unsettled());
+    assert_eq!(Ball::<4>::new(f64::NAN, &settling).accepted().map(f64::is_nan), Some(true));
+}
+
+#[test]
+fn roots_of_polynomials_are_enclosed() {
+    let settling = Settling::default();
+    let mut random = Random(8);
+    for _ in 0..300 {
+        let degree = 1 + random.below(16) as usize;
+        let turn = 1 + random.below(degree as u64) as usize;
+        let coefficients: Vec<f64> = (0..=degree)
+            .map(|power| {
+                let size =
+                    (1.0 + random.below(1 << 30) as f64 / (1 << 30) as f64) * 2_f64.powi(random.below(80) as i32 - 40);
+                if power < turn { -size } else { size }
+            })
+            .collect();
+        let balls: Vec<Ball<16>> = coefficients.iter().map(|c| Ball::new(*c, &settling)).collect();
+        let root = balls[0].positive_root(&balls);
+        let found = root.accepted().unwrap();
+        // the polynomial changes sign between the neighbours of what is rounded
+        let sign = |x: f64| {
+            let x = Float::with_val(BITS, x);
+            coefficients.iter().rev().fold(Float::new(BITS), |sum, c| sum * &x + *c).is_sign_negative()
+        };
+        assert!(sign(found.next_down()) && !sign(found.next_up()), "{coefficients:?}");
+    }
+}
