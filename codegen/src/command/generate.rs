@@ -108,6 +108,10 @@ fn report(made: &[Made], catalogue: &Catalogue, rows: &[ledger::Row]) -> miette:
         ]);
     }
     output::print(&format!("{table}\n"))?;
+    for kernel in made.iter().filter(|kernel| !kernel.added.is_empty()) {
+        let added = kernel.added.join("`, `");
+        eprintln!("`{}` requires `{added}` too: its formula needs it, its contract does not say it", kernel.kernel);
+    }
     hold(rows)
 }
 
