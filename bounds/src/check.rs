@@ -215,6 +215,44 @@ mod tests {
     }
 
     #[test]
+    fn no_rounding_decides_between_different_values() {
+        let refused = |body: &str| bound(POSITIVE, body).is_err_and(|said| said.contains("rounding may turn"));
+        let turned = [
+            "if x * y > 1.0 { x } else { 2.0 * y }",
+            "if !(y < 1.0 && 1.0 >= x * y) { x } else { 2.0 * y }",
+            "let p = x * y; let q = z * z; if p > q { x } else { 2.0 * y }",
+            "if sqrt(x) > y { x } else { y }",
+            "if x - y > z { x } else { y }",
+            "let s = if x / y > z { x } else { y }; s * s",
+            "max(x, if x * y == 1.0 { y } else { z })",
+            "positive_root([-x, if x * y == 1.0 { y } else { z }])",
+            "compensated!(x * y - 1.0) * (if PI * x > y { x } else { y })",
+            // the same function but for a pole
+            "if x * y > z * z { x + y } else { compensated!(x * x - y * y) / (x - y) }",
+        ];
+        for body in turned {
+            assert!(refused(body), "{body}");
+        }
+        let kept = [
+            ("if x > 2.0 * y { x } else { 2.0 * y }", 0.0),
+            ("if x - y > 0.0 { x } else { 2.0 * y }", 0.0),
+            ("if !(x * (x - y) / z < 0.0) { x } else { 2.0 * y }", 0.0),
+            ("let c = compensated!(x * y - 1.0); if c > 0.0 { x } else { 2.0 * y }", 0.0),
+            ("if -compensated!(x * y - 1.0) * sqrt(z) >= 0.0 { x } else { 2.0 * y }", 0.0),
+            // the same function, whatever is turned
+            ("if x * y > 1.0 { x * y } else { y * x }", 0.5),
+            ("if x * y > 1.0 { x / y + z } else { (x + y * z) / y }", 3.0),
+            (
+                "let r = sqrt(x * x + y); if x * y > 1.0 { r + x } else { (y + 2.0 * (x * x) + 2.0 * (x * r)) / (r + x) }",
+                8.0,
+            ),
+        ];
+        for (body, expected) in kept {
+            assert_eq!(bound(POSITIVE, body), Ok(expected), "{body}");
+        }
+    }
+
+    #[test]
     fn roots_and_quotients_are_atoms_of_known_sign() {
         assert_eq!(bound("require!(x > 0.0);", "let r = sqrt(x * x + y * y); r * x + x"), Ok(4.0));
         assert_eq!(bound("", "x * x * (y - z) * (y - z) + 1.0"), Ok(6.0));

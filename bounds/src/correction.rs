@@ -232,9 +232,7 @@ impl<'k> Proof<'_, 'k> {
 }
 
 fn operations(slice: &Expr) -> i64 {
-    match slice {
-        Expr::Neg(inner) => operations(inner),
-        Expr::Binary { left, right, .. } => 1 + operations(left) + operations(right),
-        _ => 0,
-    }
+    let mut count = 0;
+    slice.visit(&mut |part| count += i64::from(matches!(part, Expr::Binary { .. })));
+    count
 }

@@ -2,6 +2,7 @@
 
 use crate::case::{CASES, Case, alternatives};
 use crate::correction;
+use crate::equal;
 use crate::forms::{Forms, Meaning};
 use crate::polynomial::{Atom, Polynomial};
 use crate::refusal::{Reason, Refusal};
@@ -69,7 +70,7 @@ impl<'k> Counter<'k> {
         let mut refusals = Vec::new();
         for require in &self.kernel.requires {
             let decided = |comparison: &'k Condition| cases.iter().all(|case| self.decided(comparison, case).is_some());
-            let open = comparisons(&require.condition).into_iter().filter(|comparison| !decided(comparison));
+            let open = require.condition.comparisons().into_iter().filter(|comparison| !decided(comparison));
             refusals.extend(open.map(|comparison| Refusal {
                 kernel: self.kernel.name.to_string(),
                 step: "require!".to_owned(),
@@ -115,10 +116,7 @@ impl<'k> Counter<'k> {
                 }
             }
             Expr::Binary { op, left, right } => self.count_product(*op, (left, right), case, step),
-            Expr::If { condition, then, otherwise } => {
-                let then = self.count_branch(self.cases(condition, true, case), then, step)?;
-                Ok(then.max(self.count_branch(self.cases(condition, false, case), otherwise, step)?))
-            }
+            Expr::If { condition, then, otherwise } => self.count_choice(condition, [then, otherwise], case, step),
             Expr::Extreme { items, .. } => self.count_worst(items, case, step),
             Expr::Compensated(slice) => self.count_compensated(expr, &slice.operands, case, step),
             Expr::Residual(_) => self.refuse(step, Reason::Residual(text(expr))),
@@ -143,6 +141,20 @@ impl<'k> Counter<'k> {
     /// The worst count of some expressions.
     pub(crate) fn count_worst(&self, values: &'k [Expr], case: &Case, step: &str) -> Count {
         values.iter().try_fold(BigRational::zero(), |worst, value| Ok(worst.max(self.count(value, case, step)?)))
+    }
+
+    /// The larger count of the sides, where rounding cannot turn the condition or the sides are the same function.
+    fn count_choice(&self, condition: &'k Condition, sides: [&'k Expr; 2], case: &Case, step: &str) -> Count {
+        let [then, otherwise] = sides;
+        let then_count = self.count_branch(self.cases(condition, true, case), then, step)?;
+        let otherwise_count = self.count_branch(self.cases(condition, false, case), otherwise, step)?;
+        let open = condition.comparisons().into_iter().find(|comparison| self.decided(comparison, case).is_none());
+        match open {
+            Some(comparison) if !equal::same_function(self, then, otherwise, case) => {
+                self.refuse(step, Reason::Turned(condition_text(comparison)))
+            }
+            _ => Ok(then_count.max(otherwise_count)),
+        }
     }
 
     fn count_branch(&self, cases: Vec<Case>, value: &'k Expr, step: &str) -> Count {
@@ -292,15 +304,6 @@ fn factors(expr: &Expr) -> Vec<&Expr> {
     match expr {
         Expr::Binary { op: BinaryOp::Mul, left, right } => [factors(left), factors(right)].concat(),
         factor => vec![factor],
-    }
-}
-
-/// Every comparison in a condition.
-fn comparisons(condition: &Condition) -> Vec<&Condition> {
-    match condition {
-        Condition::Compare { .. } => vec![condition],
-        Condition::And(left, right) | Condition::Or(left, right) => [comparisons(left), comparisons(right)].concat(),
-        Condition::Not(inner) => comparisons(inner),
     }
 }
 

@@ -26,7 +26,7 @@ pub enum Meaning<'k> {
 }
 
 /// How many terms a form may have before its expression counts as an atom.
-const TERMS: usize = 3000;
+pub const TERMS: usize = 3000;
 
 /// The forms of a kernel's expressions.
 pub struct Forms<'k> {
@@ -117,7 +117,7 @@ impl<'k> Forms<'k> {
     }
 
     /// Squares of square roots are what stands under them.
-    fn reduced(&self, polynomial: &Polynomial) -> Polynomial {
+    pub fn reduced(&self, polynomial: &Polynomial) -> Polynomial {
         let root = polynomial.atoms().into_iter().find_map(|atom| match self.meaning(atom) {
             Meaning::Root(radicand) if polynomial.degree(atom) > 1 => Some((atom, radicand)),
             _ => None,

@@ -10,7 +10,8 @@
 //! the larger one. What remains is to read it as a relative error: it is at most k u/(1 - k u), k units for all that can
 //! be printed. The number that a kernel states is that in ulp, of which k units are at most k.
 //!
-//! So is the domain decided: no comparison in a `require!` may be turned by rounding.
+//! So is the domain decided: no comparison in a `require!` may be turned by rounding. Nor may one in an `if`, unless its
+//! two sides are shown to be the same real function.
 //!
 //! A kernel in double-double is counted alike: its steps add next to nothing, and rounding its result adds 1.
 //!
@@ -21,6 +22,7 @@ mod case;
 mod check;
 mod correction;
 mod count;
+mod equal;
 mod forms;
 mod polynomial;
 mod refusal;

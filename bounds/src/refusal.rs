@@ -34,6 +34,8 @@ pub enum Reason {
     },
     /// A comparison that decides about the domain, and that rounding may turn.
     Undecided(String),
+    /// A comparison that decides between different values, and that rounding may turn.
+    Turned(String),
     /// A `residual!` that corrects no root.
     Residual(String),
     /// A root's correction that is none, or not shown to be right.
@@ -91,6 +93,11 @@ impl fmt::Display for Reason {
             Self::Undecided(comparison) => write!(
                 f,
                 "rounding may turn `{comparison}`: compare exact numbers, or write `compensated!(..)` and compare it with 0"
+            ),
+            Self::Turned(comparison) => write!(
+                f,
+                "rounding may turn `{comparison}`, by which an `if` decides between two values that are not shown to be \
+                 the same function: compare exact numbers, or write `compensated!(..)` and compare it with 0"
             ),
             Self::Residual(residual) => write!(
                 f,

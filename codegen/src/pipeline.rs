@@ -35,6 +35,8 @@ pub struct Made {
     pub bound: f64,
     /// Why the formula stands as it is written and certifies every call, if it does.
     pub certified_because: Option<String>,
+    /// The conditions that its formulas need and its contract does not promise, if it has one.
+    pub added: Vec<String>,
 }
 
 /// Why a family was not generated.
@@ -126,7 +128,7 @@ pub fn generate(families: &[Family], mut progress: impl FnMut(&str)) -> Result<G
         let missing = |cause: &PipelineError| !unmade.is_empty() && matches!(cause, PipelineError::Missing(_));
         causes.extend(open.into_iter().filter(|cause| !missing(cause)));
         causes.extend(unmade);
-        generated.kernels.extend(kernels.iter().map(|kernel| made(&family.name, kernel)));
+        generated.kernels.extend(kernels.iter().map(|kernel| made(family, kernel)));
         entries.extend(kernels.iter().map(|kernel| (family.name.clone(), kernel.name.clone())));
         generated.files.insert(format!("{}.rs", family.name), text);
     }
@@ -181,6 +183,7 @@ fn reads_back(family: &Family, kernel: &KernelText) -> bool {
 }
 
 fn make_kernel(family: &Family, kernel: &KernelContract, name: String) -> Result<KernelText, PipelineError> {
+    let kernel = &family.completed(kernel);
     let inputs = family.contract.inputs_of(kernel);
     sample(&kernel.domain, &inputs, 1, 0).map_err(|cause| PipelineError::Empty { kernel: name.clone(), cause })?;
     let references = references_of(family, kernel);
@@ -230,7 +233,7 @@ pub fn unproved(family: &Family, text: &str) -> Vec<PipelineError> {
         match sources.iter().find(|source| source.name == kernel.name) {
             None => causes.push(PipelineError::Missing(name)),
             Some(source) => {
-                let proof = prove(source, kernel, &references_of(family, kernel));
+                let proof = prove(source, &family.completed(kernel), &references_of(family, kernel));
                 let bound = bound_proof(source).map_err(|cause| PipelineError::Bound { kernel: name.clone(), cause });
                 causes.extend(proof.err().map(|cause| PipelineError::Unproved { kernel: name, cause }));
                 causes.extend(bound.err());
@@ -240,15 +243,23 @@ pub fn unproved(family: &Family, text: &str) -> Vec<PipelineError> {
     causes
 }
 
-fn made(family: &str, kernel: &KernelText) -> Made {
+fn made(family: &Family, kernel: &KernelText) -> Made {
     let cost = cost(&kernel.graph, &kernel.program.outputs);
     Made {
-        kernel: format!("{family}::{}", kernel.name),
+        kernel: format!("{}::{}", family.name, kernel.name),
         rules: kernel.rules.iter().map(ToString::to_string).collect(),
         operations: [cost.additions, cost.multiplications, cost.divisions, cost.roots, cost.wide],
         bound: kernel.results.iter().map(|result| result.bound).fold(0.0, f64::max),
         certified_because: kernel.certified_because.clone(),
+        added: if family.paths.contract.exists() { added(family, kernel) } else { Vec::new() },
     }
+}
+
+/// The conditions of a kernel that its contract does not state.
+fn added(family: &Family, kernel: &KernelText) -> Vec<String> {
+    let contract = family.contract.kernels.iter().find(|contract| contract.name == kernel.name);
+    let stated = |text: &str| contract.is_some_and(|contract| contract.domain.texts().any(|known| known == text));
+    kernel.requires.iter().map(|require| require.text.clone()).filter(|text| !stated(text)).collect()
 }
 
 fn index_text(families: &[Family], entries: &[(String, String)]) -> String {

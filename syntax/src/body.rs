@@ -102,7 +102,7 @@ fn binding(local: &Local, scope: &mut Scope, errors: &mut Errors) -> Option<Let>
         }
     };
     if let Some(name) = plain_name(&local.pat) {
-        scope.declare(name, errors);
+        scope.declare_step(name, value.as_ref(), errors);
         return Some(Let { name: name.clone(), value: value? });
     }
     errors.push(local, error::LET);

@@ -4,7 +4,7 @@ use syn::{BinOp, Expr, ExprBinary, UnOp};
 
 use crate::error;
 use crate::expression::Reader;
-use crate::kernel::{self, Comparison, Condition};
+use crate::kernel::{Comparison, Condition};
 
 impl Reader<'_> {
     /// Reads a condition.
@@ -24,7 +24,7 @@ impl Reader<'_> {
         if let Some(op) = comparison(&binary.op) {
             let (left, right) = (self.expression(&binary.left), self.expression(&binary.right));
             let (left, right) = (left?, right?);
-            if [&left, &right].into_iter().any(has_residual) {
+            if [&left, &right].into_iter().any(|side| self.scope.has_residual(side)) {
                 self.errors.push(binary, error::RESIDUAL_DECIDES);
                 return None;
             }
@@ -45,15 +45,6 @@ impl Reader<'_> {
     }
 }
 
-fn has_residual(expr: &kernel::Expr) -> bool {
-    match expr {
-        kernel::Expr::Residual(_) => true,
-        kernel::Expr::Neg(inner) | kernel::Expr::Sqrt(inner) | kernel::Expr::Abs(inner) => has_residual(inner),
-        kernel::Expr::Binary { left, right, .. } => has_residual(left) || has_residual(right),
-        _ => false,
-    }
-}
-
 fn comparison(op: &BinOp) -> Option<Comparison> {
     match op {
         BinOp::Lt(_) => Some(Comparison::Less),
@@ -63,5 +54,45 @@ fn comparison(op: &BinOp) -> Option<Comparison> {
         BinOp::Eq(_) => Some(Comparison::Equal),
         BinOp::Ne(_) => Some(Comparison::NotEqual),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::error::RESIDUAL_DECIDES;
+
+    fn refusal(body: &str) -> Option<String> {
+        let text = format!("#[kernel]\npub fn f(x: f64, y: f64) -> f64 {{ {body} }}");
+        crate::parse_file(&text).err().map(|error| error.to_string())
+    }
+
+    #[test]
+    fn no_residual_decides_wherever_it_stands() {
+        let residual = "residual!(x * y - 1.0)";
+        for (before, side) in [
+            ("", residual.to_owned()),
+            ("", format!("y - -{residual} / x")),
+            ("", format!("sqrt(abs({residual}))")),
+            ("", format!("max({residual}, y)")),
+            ("", format!("min(y, {residual})")),
+            ("", format!("if x > y {{ y }} else {{ {residual} }}")),
+            ("", format!("positive_root([-x, {residual}])")),
+            ("let r = residual!(x * y - 1.0);", "r".to_owned()),
+            ("let r = residual!(x * y - 1.0); let s = x / r; let t = max(s, x);", "compensated!(t * t - y)".to_owned()),
+        ] {
+            let chosen = format!("{before} if x > y && !({side} > 0.0) {{ x }} else {{ y }}");
+            assert_eq!(refusal(&chosen).as_deref(), Some(RESIDUAL_DECIDES), "{chosen}");
+            let turned = format!("{before} if 0.0 <= {side} {{ x }} else {{ y }}");
+            assert_eq!(refusal(&turned).as_deref(), Some(RESIDUAL_DECIDES), "{turned}");
+            if before.is_empty() {
+                let required = format!("require!({side} > 0.0); x");
+                assert_eq!(refusal(&required).as_deref(), Some(RESIDUAL_DECIDES), "{required}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_residual_beside_a_condition_is_no_mistake() {
+        assert_eq!(refusal("let r = residual!(x * y - 1.0); let s = x; if s > y { r } else { s }"), None);
     }
 }

@@ -22,6 +22,7 @@ mod pattern;
 mod print;
 mod scope;
 mod slice;
+mod walk;
 
 pub use file::parse_file;
 pub use interpret::{Arithmetic, Violation, evaluate, violated};

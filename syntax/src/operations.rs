@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::kernel::{BinaryOp, Condition, Expr, Kernel, Slice};
+use crate::kernel::{BinaryOp, Expr, Kernel, Slice};
 
 /// How many operations one evaluation takes; signs, magnitudes, comparisons and choices are free.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -37,7 +37,7 @@ pub fn operations_of(kernel: &Kernel, result: usize) -> Operations {
     let mut needed = BTreeSet::new();
     let mut take = |value: &Expr, needed: &mut BTreeSet<usize>| {
         count.expression(value);
-        visit(value, &mut |inner| {
+        value.visit(&mut |inner| {
             if let Expr::Name(name) = inner {
                 needed.insert(name.slot);
             }
@@ -55,12 +55,11 @@ pub fn operations_of(kernel: &Kernel, result: usize) -> Operations {
 /// The most names that a term of a slice multiplies, anywhere in the kernel; 1 where it has no slice.
 pub fn most_factors(kernel: &Kernel) -> u32 {
     let mut most = 1;
-    let mut see = |expr: &Expr| match expr {
-        Expr::Compensated(Slice { value: slice, .. }) | Expr::Residual(slice) => most = most.max(factors(slice)),
-        _ => {}
-    };
-    kernel.requires.iter().for_each(|require| visit_condition(&require.condition, &mut see));
-    kernel.lets.iter().map(|step| &step.value).chain(kernel.output.values()).for_each(|value| visit(value, &mut see));
+    kernel.visit(&mut |expr| {
+        if let Expr::Compensated(Slice { value: slice, .. }) | Expr::Residual(slice) = expr {
+            most = most.max(factors(slice));
+        }
+    });
     most
 }
 
@@ -68,36 +67,8 @@ pub fn most_factors(kernel: &Kernel) -> u32 {
 fn factors(slice: &Expr) -> u32 {
     match slice {
         Expr::Name(_) => 1,
-        Expr::Neg(inner) => factors(inner),
         Expr::Binary { op: BinaryOp::Mul, left, right } => factors(left) + factors(right),
-        Expr::Binary { left, right, .. } => factors(left).max(factors(right)),
-        _ => 0,
-    }
-}
-
-/// Calls `see` with the expression and all inside it.
-fn visit(expr: &Expr, see: &mut impl FnMut(&Expr)) {
-    see(expr);
-    match expr {
-        Expr::Literal { .. } | Expr::Pi(_) | Expr::Name(_) => {}
-        Expr::Neg(inner) | Expr::Abs(inner) | Expr::Sqrt(inner) | Expr::Residual(inner) => visit(inner, see),
-        Expr::Compensated(slice) => visit(&slice.value, see),
-        Expr::Extreme { items, .. } | Expr::PositiveRoot(items) => items.iter().for_each(|value| visit(value, see)),
-        Expr::Binary { left, right, .. } => [left, right].into_iter().for_each(|side| visit(side, see)),
-        Expr::If { condition, then, otherwise } => {
-            visit_condition(condition, see);
-            [then, otherwise].into_iter().for_each(|side| visit(side, see));
-        }
-    }
-}
-
-fn visit_condition(condition: &Condition, see: &mut impl FnMut(&Expr)) {
-    match condition {
-        Condition::Compare { left, right, .. } => [left, right].into_iter().for_each(|side| visit(side, see)),
-        Condition::And(left, right) | Condition::Or(left, right) => {
-            [left, right].into_iter().for_each(|side| visit_condition(side, see));
-        }
-        Condition::Not(inner) => visit_condition(inner, see),
+        other => other.children().into_iter().map(factors).max().unwrap_or(0),
     }
 }
 
@@ -117,7 +88,7 @@ impl Operations {
             }
             Expr::Extreme { items, .. } => items.iter().for_each(|item| self.expression(item)),
             Expr::If { condition, then, otherwise } => {
-                self.condition(condition);
+                condition.sides().into_iter().for_each(|side| self.expression(side));
                 self.expression(then);
                 self.expression(otherwise);
             }
@@ -142,29 +113,13 @@ impl Operations {
             BinaryOp::Div => &mut self.div,
         }
     }
-
-    fn condition(&mut self, condition: &Condition) {
-        match condition {
-            Condition::Compare { left, right, .. } => {
-                self.expression(left);
-                self.expression(right);
-            }
-            Condition::And(left, right) | Condition::Or(left, right) => {
-                self.condition(left);
-                self.condition(right);
-            }
-            Condition::Not(inner) => self.condition(inner),
-        }
-    }
 }
 
 /// The double-double operations of a slice.
 fn slice_operations(slice: &Expr) -> u32 {
-    match slice {
-        Expr::Binary { left, right, .. } => 1 + slice_operations(left) + slice_operations(right),
-        Expr::Neg(inner) => slice_operations(inner),
-        _ => 0,
-    }
+    let mut count = 0;
+    slice.visit(&mut |part| count += u32::from(matches!(part, Expr::Binary { .. })));
+    count
 }
 
 #[cfg(test)]

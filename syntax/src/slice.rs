@@ -216,6 +216,8 @@ fn error(expr: &Expr) -> PartError {
                 (_, _, _) => wide(larger + 3.0),
             }
         }
-        _ => PartError { exact: true, units: 0.0 },
+        Expr::Literal { .. } | Expr::Name(_) => PartError { exact: true, units: 0.0 },
+        // no part of a slice: of anything else nothing is known
+        _ => wide(f64::INFINITY),
     }
 }

@@ -18,22 +18,36 @@ pub fn value(expression: &Expr, names: &Names) -> Option<Rational> {
         ExprKind::Unary { operator: UnaryOperator::Minus, operand } => Some(-value(operand, names)?),
         ExprKind::Unary { operator: UnaryOperator::Plus, operand } => value(operand, names),
         ExprKind::Binary { operator: Operator::Power, left, right } => power(&value(left, names)?, right),
+        ExprKind::Call { .. } => match expression.as_call() {
+            Some(("abs", [inner])) => value(inner, names).map(Rational::abs),
+            _ => None,
+        },
         ExprKind::Binary { operator, left, right } => combine(*operator, value(left, names)?, value(right, names)?),
         _ => number(expression),
     }
 }
 
-/// Whether the condition is true; none where a side has no exact value.
+/// Whether the condition is true; none where that depends on a comparison with a side that has no exact value. Such a
+/// comparison is neither true nor false: `and` is false by any part, `or` true by any, whatever the others are.
 pub fn holds(condition: &Expr, names: &Names) -> Option<bool> {
     match &condition.kind {
         ExprKind::Unary { operator: UnaryOperator::Not, operand } => Some(!holds(operand, names)?),
-        ExprKind::Binary { operator: Operator::And, left, right } => Some(holds(left, names)? && holds(right, names)?),
-        ExprKind::Binary { operator: Operator::Or, left, right } => Some(holds(left, names)? || holds(right, names)?),
+        ExprKind::Binary { operator: Operator::And, left, right } => joined(left, right, names, false),
+        ExprKind::Binary { operator: Operator::Or, left, right } => joined(left, right, names, true),
         ExprKind::Binary { operator, left, right } => {
             compares(*operator, value(left, names)?.cmp(&value(right, names)?))
         }
         _ => None,
     }
+}
+
+/// The truth of two conditions of which one alone decides if it is `decides`.
+fn joined(left: &Expr, right: &Expr, names: &Names, decides: bool) -> Option<bool> {
+    let parts = [holds(left, names), holds(right, names)];
+    if parts.contains(&Some(decides)) {
+        return Some(decides);
+    }
+    (!parts.contains(&None)).then_some(!decides)
 }
 
 fn number(expression: &Expr) -> Option<Rational> {
@@ -99,6 +113,28 @@ mod tests {
         for text in ["sqrt(x)", "z", "1/(x-1/3)", "y^x", "(x-1/3)^-1"] {
             assert_eq!(value(&parse_expression(text).unwrap(), &names()), None, "{text}");
         }
+    }
+
+    #[test]
+    fn what_has_no_value_is_neither_true_nor_false() {
+        let truth = |text: &str| holds(&parse_expression(text).unwrap(), &names());
+        for pole in [
+            "1/(3*x-1) > 0",
+            "abs(1/(3*x-1)) >= 0",
+            "(3*x-1)^-2 # 7",
+            "(x^2-1/9)/(x-1/3) > 0",
+            "0/(x-1/3) = 0",
+            "1/(1/(x-1/3)) < 1",
+        ] {
+            assert_eq!(truth(pole), None, "{pole}");
+            assert_eq!(truth(&format!("not {pole}")), None, "{pole}");
+            for (joined, expected) in
+                [("and x < y", Some(false)), ("and x > y", None), ("or x > y", Some(true)), ("or x < y", None)]
+            {
+                assert_eq!(truth(&format!("{pole} {joined}")), expected, "{pole} {joined}");
+            }
+        }
+        assert_eq!(truth("abs(y) = 2 and abs(x-1) > 1/2"), Some(true));
     }
 
     #[test]

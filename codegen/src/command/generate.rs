@@ -111,6 +111,10 @@ fn report(made: &[Made], catalogue: &Catalogue, rows: &[ledger::Row]) -> miette:
     for (kernel, because) in made.iter().filter_map(|made| Some((&made.kernel, made.certified_because.as_ref()?))) {
         eprintln!("`{kernel}` keeps its bound at run time, some hundred times slower: {because}");
     }
+    for kernel in made.iter().filter(|kernel| !kernel.added.is_empty()) {
+        let added = kernel.added.join("`, `");
+        eprintln!("`{}` requires `{added}` too: its formula needs it, its contract does not say it", kernel.kernel);
+    }
     hold(rows)
 }
 

@@ -56,6 +56,18 @@ impl Sign {
         self.is(Self::NONNEGATIVE) || self.is(Self::NONPOSITIVE)
     }
 
+    /// The signs that are not in this set.
+    #[must_use]
+    pub fn complement(self) -> Self {
+        Self(Self::ANY.0 & !self.0)
+    }
+
+    /// Whether no value has it.
+    #[must_use]
+    pub fn is_impossible(self) -> bool {
+        self.0 == 0
+    }
+
     /// The sign of a sum.
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
@@ -141,6 +153,7 @@ impl BitAnd for Sign {
 }
 
 /// What is known about signs on a domain.
+#[derive(Clone)]
 pub struct Facts {
     ring: Ring,
     variables: Vec<Sign>,

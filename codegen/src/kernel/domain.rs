@@ -8,19 +8,19 @@ use crate::field::{Sign, TowerError};
 use crate::program::{Condition, Node, Order};
 use crate::rust::RequireText;
 use crate::stable::builder::Builder;
-use crate::worksheet::domain::{Comparison, ComparisonOperator, Condition as Contracted, Domain};
+use crate::worksheet::domain::{Comparison, ComparisonOperator, Condition as Contracted, Domain, Stated};
 use num_rational::BigRational;
 use num_traits::Signed;
 
-/// The conditions of a domain, in order, if `terse` without those that always hold; what they say about signs goes into
+/// The conditions of a domain, in order, without the natural ones that always hold; what they say about signs goes into
 /// the builder's facts.
 ///
 /// # Errors
 /// When a side of a comparison is no rational function of the inputs.
-pub fn build(builder: &mut Builder, domain: &Domain, terse: bool) -> Result<Vec<RequireText>, KernelError> {
+pub fn build(builder: &mut Builder, domain: &Domain) -> Result<Vec<RequireText>, KernelError> {
     let mut requires = Vec::new();
-    for (condition, text) in domain.conditions().zip(domain.texts()) {
-        if terse && always_holds(builder, condition, text)? {
+    for Stated { text, condition, natural } in domain.stated() {
+        if *natural && always_holds(builder, condition, text)? {
             continue;
         }
         // decided before it is known to hold: a condition must not be taken for granted in its own test
@@ -44,8 +44,12 @@ pub fn learn_all(builder: &mut Builder, domain: &Domain) -> Result<(), KernelErr
 fn always_holds(builder: &mut Builder, condition: &Contracted, text: &str) -> Result<bool, KernelError> {
     Ok(match condition {
         Contracted::Compare(comparison) => {
-            let (polynomial, order) = normal_form(builder, comparison, text)?;
-            builder.tower.facts.sign(&polynomial).is(sign_of(order))
+            let mut holds = true;
+            for comparison in comparison.divisors().iter().chain([comparison]) {
+                let (polynomial, order) = normal_form(builder, comparison, text)?;
+                holds = holds && builder.tower.facts.sign(&polynomial).is(sign_of(order));
+            }
+            holds
         }
         Contracted::And(parts) => {
             parts.iter().try_fold(true, |all, part| Ok(all && always_holds(builder, part, text)?))?
@@ -53,50 +57,68 @@ fn always_holds(builder: &mut Builder, condition: &Contracted, text: &str) -> Re
         Contracted::Or(parts) => {
             parts.iter().try_fold(false, |any, part| Ok(any || always_holds(builder, part, text)?))?
         }
-        Contracted::Not(_) => false,
     })
 }
 
 fn learn(builder: &mut Builder, condition: &Contracted, text: &str) -> Result<(), KernelError> {
     match condition {
         Contracted::Compare(comparison) => {
-            let (polynomial, order) = normal_form(builder, comparison, text)?;
-            builder.tower.facts.learn(&polynomial, sign_of(order));
+            for comparison in comparison.divisors().iter().chain([comparison]) {
+                let (polynomial, order) = normal_form(builder, comparison, text)?;
+                builder.tower.facts.learn(&polynomial, sign_of(order));
+            }
             Ok(())
         }
         Contracted::And(parts) => parts.iter().try_for_each(|part| learn(builder, part, text)),
-        Contracted::Or(_) | Contracted::Not(_) => Ok(()),
+        Contracted::Or(_) => Ok(()),
     }
 }
 
 fn steps(builder: &mut Builder, condition: &Contracted, text: &str) -> Result<Condition, KernelError> {
     match condition {
         Contracted::Compare(comparison) => {
-            if let Some(condition) = as_written(builder, comparison, text)? {
-                return Ok(condition);
+            let mut parts = Vec::new();
+            for divisor in comparison.divisors() {
+                let (polynomial, order) = normal_form(builder, divisor, text)?;
+                if !builder.tower.facts.sign(&polynomial).is(Sign::NONZERO) {
+                    parts.push(decided(builder, &polynomial, order, text)?);
+                }
             }
-            let (polynomial, order) = normal_form(builder, comparison, text)?;
-            decide(builder, &polynomial, order)
-                .map_err(|cause| KernelError::Domain { condition: text.to_owned(), cause })
+            parts.push(compared(builder, comparison, text)?);
+            // a divisor of a divisor says the same as that
+            let first = |at: &usize| !parts[..*at].contains(&parts[*at]);
+            let parts: Vec<Condition> = (0..parts.len()).filter(first).map(|at| parts[at].clone()).collect();
+            Ok(joined(parts, Condition::And, builder))
         }
-        Contracted::And(parts) => joined(builder, parts, text, Condition::And),
-        Contracted::Or(parts) => joined(builder, parts, text, Condition::Or),
-        Contracted::Not(inner) => Ok(Condition::Not(Box::new(steps(builder, inner, text)?))),
+        Contracted::And(parts) => Ok(joined(all_steps(builder, parts, text)?, Condition::And, builder)),
+        Contracted::Or(parts) => Ok(joined(all_steps(builder, parts, text)?, Condition::Or, builder)),
     }
 }
 
+fn all_steps(builder: &mut Builder, parts: &[Contracted], text: &str) -> Result<Vec<Condition>, KernelError> {
+    parts.iter().map(|part| steps(builder, part, text)).collect()
+}
+
+/// The steps of a comparison where its sides have values.
+fn compared(builder: &mut Builder, comparison: &Comparison, text: &str) -> Result<Condition, KernelError> {
+    if let Some(condition) = as_written(builder, comparison, text)? {
+        return Ok(condition);
+    }
+    let (polynomial, order) = normal_form(builder, comparison, text)?;
+    decided(builder, &polynomial, order, text)
+}
+
+/// All parts joined; of none, what always holds.
 fn joined(
-    builder: &mut Builder,
-    parts: &[Contracted],
-    text: &str,
+    parts: Vec<Condition>,
     join: fn(Box<Condition>, Box<Condition>) -> Condition,
-) -> Result<Condition, KernelError> {
-    let parts: Vec<Condition> = parts.iter().map(|part| steps(builder, part, text)).collect::<Result<_, _>>()?;
+    builder: &mut Builder,
+) -> Condition {
     let joined = parts.into_iter().reduce(|a, b| join(Box::new(a), Box::new(b)));
-    Ok(joined.unwrap_or_else(|| {
+    joined.unwrap_or_else(|| {
         let zero = builder.graph.constant(&BigRational::from_integer(0.into()));
         Condition::Compare(zero, Order::Equal, zero)
-    }))
+    })
 }
 
 /// A comparison in double-double as the contract writes it, where it holds the square of a sum: expanded, the square would
@@ -133,7 +155,9 @@ fn normal_form(builder: &mut Builder, comparison: &Comparison, text: &str) -> Re
         let sign = builder.tower.facts.sign(factor).power(*exponent);
         if sign.is(Sign::NEGATIVE) {
             order = order.mirrored();
-        } else if !(sign.is(Sign::POSITIVE) || order == Order::NotEqual && sign.is(Sign::NONZERO)) {
+        } else if !(sign.is(Sign::POSITIVE)
+            || matches!(order, Order::Equal | Order::NotEqual) && sign.is(Sign::NONZERO))
+        {
             open = open.times(&factor.power(*exponent));
         }
     }
@@ -141,6 +165,10 @@ fn normal_form(builder: &mut Builder, comparison: &Comparison, text: &str) -> Re
     let mixed = open.terms().iter().any(|t| t.coefficient.is_positive())
         && open.terms().iter().any(|t| t.coefficient.is_negative());
     Ok(if below && mixed { (open.negated(), order.mirrored()) } else { (open, order) })
+}
+
+fn decided(builder: &mut Builder, polynomial: &Polynomial, order: Order, text: &str) -> Result<Condition, KernelError> {
+    decide(builder, polynomial, order).map_err(|cause| KernelError::Domain { condition: text.to_owned(), cause })
 }
 
 fn decide(builder: &mut Builder, polynomial: &Polynomial, order: Order) -> Result<Condition, TowerError> {
@@ -173,17 +201,20 @@ fn two_exact_sides(builder: &mut Builder, polynomial: &Polynomial) -> Result<Opt
     Ok(exact.then_some((left, right)))
 }
 
-pub(super) fn order_of(operator: ComparisonOperator) -> Order {
+/// How a contract's comparison compares the difference of its sides with zero.
+pub fn order_of(operator: ComparisonOperator) -> Order {
     match operator {
         ComparisonOperator::Less => Order::Less,
         ComparisonOperator::LessEqual => Order::LessOrEqual,
         ComparisonOperator::Greater => Order::Greater,
         ComparisonOperator::GreaterEqual => Order::GreaterOrEqual,
+        ComparisonOperator::Equal => Order::Equal,
         ComparisonOperator::NotEqual => Order::NotEqual,
     }
 }
 
-fn sign_of(order: Order) -> Sign {
+/// The signs of which an order relation speaks.
+pub fn sign_of(order: Order) -> Sign {
     match order {
         Order::Less => Sign::NEGATIVE,
         Order::LessOrEqual => Sign::NONPOSITIVE,

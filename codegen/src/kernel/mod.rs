@@ -1,8 +1,11 @@
 //! Kernels: from a contract and its reference expressions to the text of a kernel, proved equal to them.
 
 mod as_written;
+mod clauses;
 mod domain;
+mod domain_proof;
 mod proof;
+mod read_back;
 mod written;
 
 pub use proof::{ProofError, prove};
@@ -124,7 +127,7 @@ pub fn make_as_written(
 
 fn stable(contract: &Contract, kernel: &KernelContract, references: &[Definition]) -> Result<KernelText, KernelError> {
     let mut builder = Builder::new(Tower::new(&kernel.inputs));
-    let requires = domain::build(&mut builder, &kernel.domain, kernel.natural_domain)?;
+    let requires = domain::build(&mut builder, &kernel.domain)?;
     let expressions: Vec<Expr> = references
         .iter()
         .map(|reference| lower(&reference.body))

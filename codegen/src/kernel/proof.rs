@@ -1,18 +1,22 @@
 //! Proofs: the Rust text of a kernel equals its reference expressions, exactly.
 //!
-//! The text is read back, so that what is proved is what is compiled. Every branch of the program must equal the
-//! reference; square roots are algebraic elements, literals the exact numbers that they are.
+//! The text is read back, so that what is proved is what is compiled. On every way through the `if`s that it reads a
+//! result must equal its reference, whichever way the conditions choose; an `if` whose sides are the same function is no
+//! fork. Square roots are algebraic elements, literals the exact numbers that they are.
 
-use super::{KernelError, WORK, domain, written};
+use super::read_back::{ITERATE, Reader, TooManyWays, Way};
+use super::{KernelError, WORK, domain, domain_proof, written};
 use crate::algebra::{TooMuchWork, limited};
 use crate::expression::{Expr, lower};
 use crate::field::{Tower, TowerError};
 use crate::stable::builder::Builder;
 use crate::worksheet::contract::KernelContract;
 use closedform_maxima::Definition;
-use closedform_syntax::{BinaryOp, Expr as Source, Kernel as SourceKernel, Precision};
-use num_rational::BigRational;
+use closedform_syntax::{Expr as Source, Kernel as SourceKernel, Output, Precision};
 use thiserror::Error;
+
+/// The most ways through a result that are looked at: `if`s that do not settle double them.
+const WAYS: usize = 1 << 10;
 
 /// Why a kernel is not proved.
 #[derive(Debug, Error)]
@@ -28,19 +32,51 @@ pub enum ProofError {
         /// Why.
         cause: TowerError,
     },
+    /// The text has other inputs or results than the contract.
+    #[error("the Rust text of `{kernel}` has the {what} `{found}`, and its contract `{expected}`")]
+    Signature {
+        /// The kernel.
+        kernel: String,
+        /// Inputs or results.
+        what: &'static str,
+        /// As the text has them.
+        found: String,
+        /// As the contract has them.
+        expected: String,
+    },
+    /// More ways through a result than are looked at.
+    #[error(
+        "the Rust text of `{kernel}` is not proved equal to `{reference}`: the {choices} `if`s of different values that it \
+         reads make more than {WAYS} ways; give its parts kernels of their own, or add the signs that decide them to the \
+         domain"
+    )]
+    TooManyBranches {
+        /// The kernel.
+        kernel: String,
+        /// The reference.
+        reference: String,
+        /// How many `if`s.
+        choices: usize,
+    },
+    /// The text lets other inputs in.
+    #[error("the Rust text of `{kernel}` does not decide its domain as the contract does: {cause}")]
+    Domain {
+        /// The kernel.
+        kernel: String,
+        /// What is not proved.
+        cause: domain_proof::Gap,
+    },
     /// The reference has no canonical form.
     #[error(transparent)]
     Reference(#[from] KernelError),
 }
 
-/// The name under which the iterate of a polynomial root is known in expressions.
-const ITERATE: &str = "%iterate";
-
-/// Proves that a kernel equals its reference expressions.
+/// Proves that a kernel equals its reference expressions on the domain of its contract.
 ///
 /// # Errors
 /// When it does not, or when either side has no canonical form.
 pub fn prove(source: &SourceKernel, contract: &KernelContract, references: &[Definition]) -> Result<(), ProofError> {
+    has_signature(source, contract, references)?;
     if source.meta.precision == Precision::Certified {
         return prove_as_written(source, contract, references);
     }
@@ -58,157 +94,124 @@ fn prove_as_written(
     if written::same(source, contract, references).map_err(failed)? {
         return Ok(());
     }
-    let name = |references: &[Definition]| references.iter().map(|r| r.name.clone()).collect::<Vec<_>>().join("`, `");
-    Err(ProofError::Different(contract.name.clone(), name(references)))
+    let names = references.iter().map(|reference| reference.name.clone()).collect::<Vec<_>>().join("`, `");
+    Err(ProofError::Different(contract.name.clone(), names))
 }
 
 fn prove_equal(source: &SourceKernel, contract: &KernelContract, references: &[Definition]) -> Result<(), ProofError> {
-    let choices = count_choices(source);
-    for choice in 0..1_usize << choices.min(10) {
-        let mut reader = Reader { inputs: &contract.inputs, choice, next: 0, roots: Vec::new(), slots: Vec::new() };
-        let outputs = reader.outputs(source);
-        for (output, reference) in outputs.iter().zip(references) {
-            let equal = match lower(&reference.body).map_err(KernelError::Lower)? {
-                Expr::PositiveRoot { polynomial, unknown } => {
-                    same_root(contract, output, &reader.roots, (&polynomial, &unknown))
-                }
-                expression => same_value(contract, output, &expression),
-            };
-            let kernel = source.name.to_string();
-            if !equal? {
-                return Err(ProofError::Different(kernel, reference.name.clone()));
-            }
+    domain_proof::prove(source, contract)?;
+    let mut reader = Reader::new(source, &contract.inputs);
+    reader.settle(WAYS, |one, other| same_value(contract, one, other).unwrap_or(false));
+    for (output, reference) in source.output.values().zip(references) {
+        let expected = lower(&reference.body).map_err(KernelError::Lower)?;
+        let proof = Proof { contract, reader: &reader, reference: &reference.name };
+        if !proof.is_same(output, &expected)? {
+            return Err(ProofError::Different(contract.name.clone(), reference.name.clone()));
         }
     }
     Ok(())
 }
 
+/// Inputs and results are as many as the contract's, in its order, under its names.
+fn has_signature(
+    source: &SourceKernel,
+    contract: &KernelContract,
+    references: &[Definition],
+) -> Result<(), ProofError> {
+    let inputs = source.inputs.iter().map(|input| input.maxima.clone().unwrap_or_else(|| input.name.to_string()));
+    let worksheets = source.meta.results.iter().map(|result| result.worksheet.clone().unwrap_or_default());
+    let promised = contract.results.iter().map(|result| result.worksheet.clone());
+    same_names(contract, "inputs", inputs, contract.inputs.iter().cloned())?;
+    same_names(contract, "results", worksheets, promised.clone())?;
+    same_names(contract, "references", references.iter().map(|reference| reference.name.clone()), promised)?;
+    match &source.output {
+        Output::Value(_) => same_names(contract, "results", ["a number"], ["a number"].repeat(references.len())),
+        Output::Struct { fields, .. } => {
+            let fields = fields.iter().map(|(name, _)| name.to_string());
+            same_names(contract, "fields", fields, contract.results.iter().map(|result| result.name.clone()))
+        }
+    }
+}
+
+fn same_names<F: Into<String>, E: Into<String>>(
+    contract: &KernelContract,
+    what: &'static str,
+    found: impl IntoIterator<Item = F>,
+    expected: impl IntoIterator<Item = E>,
+) -> Result<(), ProofError> {
+    let found = found.into_iter().map(Into::into).collect::<Vec<String>>().join(", ");
+    let expected = expected.into_iter().map(Into::into).collect::<Vec<String>>().join(", ");
+    if found == expected {
+        return Ok(());
+    }
+    Err(ProofError::Signature { kernel: contract.name.clone(), what, found, expected })
+}
+
+/// The tower over the inputs, with what the domain says of signs.
 fn tower(contract: &KernelContract) -> Result<Tower, KernelError> {
     let mut builder = Builder::new(Tower::new(&contract.inputs));
     domain::learn_all(&mut builder, &contract.domain)?;
     Ok(builder.tower)
 }
 
-fn same_value(contract: &KernelContract, output: &Expr, reference: &Expr) -> Result<bool, ProofError> {
-    if let Expr::Extreme { largest, items } = reference {
-        return same_extreme(contract, output, *largest, items);
-    }
+/// Whether two expressions have the same canonical form.
+fn same_value(contract: &KernelContract, one: &Expr, other: &Expr) -> Result<bool, ProofError> {
     let mut tower = tower(contract)?;
     let no_form = |cause| ProofError::NoForm { kernel: contract.name.clone(), cause };
-    let expected = tower.canonical(reference).map_err(no_form)?;
-    let actual = tower.canonical(output).map_err(no_form)?;
-    Ok(expected == actual)
+    let (one, other) = (tower.canonical(one).map_err(no_form)?, tower.canonical(other).map_err(no_form)?);
+    Ok(one == other)
 }
 
-/// The same choice, of values that are the same one by one.
-fn same_extreme(
-    contract: &KernelContract,
-    output: &Expr,
-    largest: bool,
-    expected: &[Expr],
-) -> Result<bool, ProofError> {
-    let Expr::Extreme { largest: found, items } = output else { return Ok(false) };
-    let mut same = *found == largest && items.len() == expected.len();
-    for (item, expected) in items.iter().zip(expected) {
-        same = same && same_value(contract, item, expected)?;
-    }
-    Ok(same)
+/// The proof of one result.
+struct Proof<'a, 'k> {
+    contract: &'a KernelContract,
+    reader: &'a Reader<'k>,
+    /// The name of its reference.
+    reference: &'a str,
 }
 
-/// The iterate's polynomial is the reference's, and the result leaves a root of it where it is.
-fn same_root(
-    contract: &KernelContract,
-    output: &Expr,
-    roots: &[Expr],
-    (polynomial, unknown): (&Expr, &str),
-) -> Result<bool, ProofError> {
-    let [iterated] = roots else { return Ok(false) };
-    let mut tower = tower(contract)?;
-    let no_form = |cause| ProofError::NoForm { kernel: contract.name.clone(), cause };
-    let (expected, var) = tower.polynomial_in(polynomial, unknown).map_err(no_form)?;
-    tower.name_unknown(ITERATE, var);
-    let iterated = tower.canonical(iterated).map_err(no_form)?;
-    let same = iterated.numerator.primitive().1 == expected.primitive().1;
-    let moved = Expr::symbol(ITERATE).minus(output.clone());
-    let moved = tower.canonical(&moved).map_err(no_form)?;
-    Ok(same && moved.numerator.divided_by(&expected).is_some())
-}
-
-fn count_choices(source: &SourceKernel) -> usize {
-    let values = source.lets.iter().map(|step| &step.value).chain(source.output.values());
-    values.map(choices_in).sum()
-}
-
-fn choices_in(expr: &Source) -> usize {
-    match expr {
-        Source::Literal { .. } | Source::Name(_) | Source::Pi(_) => 0,
-        Source::Neg(a) | Source::Sqrt(a) | Source::Abs(a) | Source::Residual(a) => choices_in(a),
-        Source::Compensated(_) => 0,
-        Source::Binary { left, right, .. } => choices_in(left) + choices_in(right),
-        Source::If { then, otherwise, .. } => 1 + choices_in(then) + choices_in(otherwise),
-        Source::Extreme { items: list, .. } | Source::PositiveRoot(list) => list.iter().map(choices_in).sum(),
-    }
-}
-
-/// Reads one straight line through a kernel: bit k of `choice` decides its k-th `if`.
-struct Reader<'a> {
-    inputs: &'a [String],
-    choice: usize,
-    next: usize,
-    /// The polynomials of polynomial roots, in the iterate.
-    roots: Vec<Expr>,
-    slots: Vec<Expr>,
-}
-
-impl Reader<'_> {
-    fn outputs(&mut self, source: &SourceKernel) -> Vec<Expr> {
-        self.slots = self.inputs.iter().map(|name| Expr::symbol(name)).collect();
-        for step in &source.lets {
-            let value = self.value(&step.value);
-            self.slots.push(value);
+impl<'k> Proof<'_, 'k> {
+    /// Whether an expression of the text is this one; of a choice of extremes, whether the items are, one by one.
+    fn is_same(&self, output: &'k Source, expected: &Expr) -> Result<bool, ProofError> {
+        let Expr::Extreme { largest, items: expected } = expected else {
+            return self.every_way(output, |way| match expected {
+                Expr::PositiveRoot { polynomial, unknown } => self.is_root(way, polynomial, unknown),
+                expected => same_value(self.contract, expected, &way.values[0]),
+            });
+        };
+        let Source::Extreme { largest: found, items } = self.reader.resolved(output) else { return Ok(false) };
+        let mut same = found == largest && items.len() == expected.len();
+        for (item, expected) in items.iter().zip(expected) {
+            same = same && self.is_same(item, expected)?;
         }
-        source.output.values().map(|value| self.value(value)).collect()
+        Ok(same)
     }
 
-    fn value(&mut self, expr: &Source) -> Expr {
-        match expr {
-            Source::Literal { value, .. } => {
-                Expr::Rational(BigRational::from_float(*value).unwrap_or_else(|| BigRational::from_integer(0.into())))
-            }
-            Source::Name(name) => self.slots[name.slot].clone(),
-            Source::Pi(_) => Expr::Pi,
-            Source::Neg(a) => self.value(a).negated(),
-            Source::Sqrt(a) => Expr::Sqrt(Box::new(self.value(a))),
-            Source::Abs(a) => Expr::Abs(Box::new(self.value(a))),
-            Source::Compensated(slice) => self.value(&slice.value),
-            Source::Residual(a) => self.value(a),
-            Source::Binary { op, left, right } => {
-                let (left, right) = (self.value(left), self.value(right));
-                match op {
-                    BinaryOp::Add => left.plus(right),
-                    BinaryOp::Sub => left.minus(right),
-                    BinaryOp::Mul => left.times(right),
-                    BinaryOp::Div => left.over(right),
-                }
-            }
-            Source::If { then, otherwise, .. } => {
-                let take = self.choice >> self.next & 1 == 0;
-                self.next += 1;
-                let (then, otherwise) = (self.value(then), self.value(otherwise));
-                if take { then } else { otherwise }
-            }
-            Source::Extreme { largest, items } => {
-                Expr::Extreme { largest: *largest, items: items.iter().map(|item| self.value(item)).collect() }
-            }
-            Source::PositiveRoot(coefficients) => {
-                let terms = coefficients.iter().enumerate().map(|(power, coefficient)| {
-                    let coefficient = self.value(coefficient);
-                    coefficient.times(Expr::Power(Box::new(Expr::symbol(ITERATE)), power as i32))
-                });
-                let polynomial = Expr::Sum(terms.collect());
-                self.roots.push(polynomial);
-                Expr::symbol(ITERATE)
-            }
-        }
+    fn every_way(
+        &self,
+        output: &'k Source,
+        holds: impl Fn(&Way) -> Result<bool, ProofError>,
+    ) -> Result<bool, ProofError> {
+        let ways =
+            self.reader.ways(&[output], WAYS).map_err(|TooManyWays { choices }| ProofError::TooManyBranches {
+                kernel: self.contract.name.clone(),
+                reference: self.reference.to_owned(),
+                choices,
+            })?;
+        ways.iter().try_fold(true, |same, way| Ok(same && holds(way)?))
+    }
+
+    /// The iterate's polynomial is the reference's, and the result leaves a root of it where it is.
+    fn is_root(&self, way: &Way, polynomial: &Expr, unknown: &str) -> Result<bool, ProofError> {
+        let [iterated] = &way.roots[..] else { return Ok(false) };
+        let mut tower = tower(self.contract)?;
+        let no_form = |cause| ProofError::NoForm { kernel: self.contract.name.clone(), cause };
+        let (expected, var) = tower.polynomial_in(polynomial, unknown).map_err(no_form)?;
+        tower.name_unknown(ITERATE, var);
+        let iterated = tower.canonical(iterated).map_err(no_form)?;
+        let same = iterated.numerator.primitive().1 == expected.primitive().1;
+        let moved = Expr::symbol(ITERATE).minus(way.values[0].clone());
+        let moved = tower.canonical(&moved).map_err(no_form)?;
+        Ok(same && moved.numerator.divided_by(&expected).is_some())
     }
 }

@@ -176,7 +176,6 @@ impl<'a> Written<'a> {
             }
             Contracted::And(parts) => self.joined(parts, Condition::And),
             Contracted::Or(parts) => self.joined(parts, Condition::Or),
-            Contracted::Not(inner) => Ok(Condition::Not(Box::new(self.condition(inner)?))),
         }
     }
 

@@ -63,8 +63,6 @@ pub struct KernelContract {
     pub inputs: Vec<String>,
     /// Where the promise holds.
     pub domain: Domain,
-    /// Whether the domain was read off the formula, not promised by anybody: what holds anyway need not be asked for.
-    pub natural_domain: bool,
     /// Which of several solutions this is.
     pub branch: Option<String>,
     /// Whether digits go before time: no result is to be off by more than 2 ulp.

@@ -12,13 +12,41 @@ pub use condition::{Comparison, ComparisonOperator, Condition, ConditionError};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Domain {
     variables: Vec<String>,
-    conditions: Vec<(String, Condition)>,
+    conditions: Vec<Stated>,
+}
+
+/// A condition of a domain.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stated {
+    /// As the contract spells it.
+    pub text: String,
+    /// What must hold.
+    pub condition: Condition,
+    /// Whether nobody promises it but the formula needs it, so that it may be left out where the others imply it.
+    pub natural: bool,
 }
 
 impl Domain {
     /// The domain of inputs with these Maxima names; each condition with its text, parsed for the same inputs.
     pub fn new(variables: Vec<String>, conditions: Vec<(String, Condition)>) -> Self {
-        Self { variables, conditions }
+        let stated = |(text, condition)| Stated { text, condition, natural: false };
+        Self { variables, conditions: conditions.into_iter().map(stated).collect() }
+    }
+
+    /// The domain in which these conditions hold too, which a formula needs; not twice what it has already.
+    #[must_use]
+    pub fn with_natural(mut self, conditions: impl IntoIterator<Item = (String, Condition)>) -> Self {
+        for (text, condition) in conditions {
+            if self.conditions.iter().all(|stated| stated.condition != condition) {
+                self.conditions.push(Stated { text, condition, natural: true });
+            }
+        }
+        self
+    }
+
+    /// Every condition, in order.
+    pub fn stated(&self) -> &[Stated] {
+        &self.conditions
     }
 
     /// The Maxima names of the inputs, in the order of the coordinates of a point.
@@ -28,12 +56,12 @@ impl Domain {
 
     /// The conditions, in contract order.
     pub fn conditions(&self) -> impl ExactSizeIterator<Item = &Condition> {
-        self.conditions.iter().map(|(_, condition)| condition)
+        self.conditions.iter().map(|stated| &stated.condition)
     }
 
     /// The conditions as the contract spells them.
     pub fn texts(&self) -> impl ExactSizeIterator<Item = &str> {
-        self.conditions.iter().map(|(text, _)| text.as_str())
+        self.conditions.iter().map(|stated| stated.text.as_str())
     }
 
     /// Whether a point, one coordinate a variable, lies in the domain; decided without rounding.
@@ -93,6 +121,42 @@ mod tests {
     }
 
     #[test]
+    fn what_has_no_value_neither_holds_nor_fails() {
+        let at_zero = |condition: &str| domain(&["x", "y"], &[condition]).holds(&[0.0, 0.0]);
+        for pole in [
+            "1/x # 7",
+            "x^-2 >= 4",
+            "x^(1-2) < 3",
+            "(x^2-y^2)/(x-y) >= 0",
+            "x*y/(x*y) > 0",
+            "0/x = 0",
+            "0*x^-1 <= 1",
+            "1/(1/x) >= 0",
+            "(1/x)^0 > 0",
+            "1 < 2 + x/(y-x)",
+            "abs(1/x) > 1",
+            "abs(y)/abs(x) # 3",
+            "1/(2-2) # 7",
+        ] {
+            assert!(!at_zero(pole), "{pole}");
+            assert!(!at_zero(&format!("not ({pole})")), "not {pole}");
+            assert!(!at_zero(&format!("{pole} and x = 0")), "{pole} and");
+            assert!(at_zero(&format!("{pole} or x = 0")), "{pole} or");
+            assert!(at_zero(&format!("not ({pole} and x # 0)")), "{pole}: one part fails");
+            assert!(!at_zero(&format!("not ({pole} or x # 0)")), "{pole}: no part holds");
+        }
+    }
+
+    #[test]
+    fn not_turns_what_has_a_value() {
+        let turned = domain(&["x"], &["not (x < 0 or not (1/x <= 1 and x # 2))"]);
+        assert_eq!(
+            [-1.0, 0.0, 0.5, 1.0, 2.0, 3.0].map(|x| turned.holds(&[x])),
+            [false, false, false, true, false, true]
+        );
+    }
+
+    #[test]
     fn poles_and_infinities_are_outside() {
         let pole = domain(&["x"], &["1/x # 7"]);
         assert!(!pole.holds(&[0.0]));
@@ -107,7 +171,6 @@ mod tests {
         let variables = ["x".to_owned()];
         let message = |text: &str| Condition::parse(text, &variables).unwrap_err().to_string();
         assert_eq!(message("x"), "the domain condition is not a comparison");
-        assert_eq!(message("x = 1"), "the domain condition is not a comparison");
         assert_eq!(message("x > y"), "the domain condition names `y`, which is not an input of this kernel");
         assert_eq!(message("sqrt(x) > 0"), "a side of the domain condition is not a rational function");
         assert_eq!(message("x^x > 0"), "a side of the domain condition is not a rational function");

@@ -88,6 +88,13 @@ impl Family {
         stranger::load(path)
     }
 
+    /// A kernel's contract whose domain has every condition that its reference expressions need besides.
+    pub fn completed(&self, kernel: &KernelContract) -> KernelContract {
+        let own = self.results().filter(|(owner, ..)| owner.name == kernel.name);
+        let natural = own.flat_map(|(.., reference)| natural_domain::natural_domain(&reference.body, &kernel.inputs));
+        KernelContract { domain: kernel.domain.clone().with_natural(natural), ..kernel.clone() }
+    }
+
     /// Every result with its kernel and reference expression, in contract order.
     pub fn results(&self) -> impl Iterator<Item = (&KernelContract, &ResultContract, &Definition)> {
         self.contract.results().zip(&self.references).map(|((kernel, result), reference)| (kernel, result, reference))

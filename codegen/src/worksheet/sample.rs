@@ -49,18 +49,12 @@ pub struct EmptyDomain {
 /// Different points of a domain, the same for the same seed: every other one at random, the rest at the edges of the
 /// domain, at zeros and at nearly equal inputs. Fewer than `count` where the domain has no more.
 pub fn sample(domain: &Domain, inputs: &[&Input], count: usize, seed: u64) -> Result<Vec<Vec<f64>>, EmptyDomain> {
-    let mut sampler = Sampler { domain, inputs, edges: Edges::new(domain), random: Random::new(seed) };
-    let mut points = Vec::new();
-    let mut seen = HashSet::new();
-    let mut failed = 0;
-    for turn in 0.. {
-        if points.len() == count || failed == TRIES {
-            break;
-        }
-        let point = if turn % 2 == 0 { sampler.anywhere() } else { sampler.special() };
-        let new = point.filter(|point| seen.insert(bits(point)));
-        failed = if new.is_some() { 0 } else { failed + 1 };
-        points.extend(new);
+    let mut sampler = Sampler { domain, inputs, edges: Edges::new(domain), random: Random::new(seed), thin: false };
+    let mut points = sampler.points(count);
+    if points.is_empty() {
+        // a domain without an inside is met only by moves onto its edges
+        sampler.thin = true;
+        points = sampler.points(count);
     }
     if points.is_empty() && count > 0 {
         let conditions = domain.texts().map(str::to_owned).collect();
@@ -78,12 +72,35 @@ struct Sampler<'a> {
     inputs: &'a [&'a Input],
     edges: Edges<'a>,
     random: Random,
+    /// Whether the domain may be all edge, as that of `x >= 9` and `x <= 9` is.
+    thin: bool,
 }
 
 impl Sampler<'_> {
+    /// As many different points as are wanted, or as are found.
+    fn points(&mut self, count: usize) -> Vec<Vec<f64>> {
+        let mut points = Vec::new();
+        let mut seen = HashSet::new();
+        let mut failed = 0;
+        for turn in 0.. {
+            if points.len() == count || failed == TRIES {
+                break;
+            }
+            let point = if turn % 2 == 0 { self.anywhere() } else { self.special() };
+            let new = point.filter(|point| seen.insert(bits(point)));
+            failed = if new.is_some() { 0 } else { failed + 1 };
+            points.extend(new);
+        }
+        points
+    }
+
     /// A point somewhere in the domain: drawn, then moved across the edges it is on the wrong side of.
     fn anywhere(&mut self) -> Option<Vec<f64>> {
-        let mut point: Vec<f64> = (0..self.inputs.len()).map(|input| self.draw(input)).collect();
+        let point = (0..self.inputs.len()).map(|input| self.draw(input)).collect();
+        if self.thin { self.on_edges(point) } else { self.inside(point) }
+    }
+
+    fn inside(&mut self, mut point: Vec<f64>) -> Option<Vec<f64>> {
         for _ in 0..=self.edges.len() {
             match self.edges.violated(&point) {
                 _ if self.domain.holds(&point) => return Some(point),
@@ -92,6 +109,35 @@ impl Sampler<'_> {
             }
         }
         None
+    }
+
+    /// The point moved onto one edge after another, whichever, until it is in the domain.
+    fn on_edges(&mut self, mut point: Vec<f64>) -> Option<Vec<f64>> {
+        for _ in 0..=2 * self.edges.len() {
+            if self.domain.holds(&point) {
+                return Some(point);
+            }
+            let edge = self.random.below(self.edges.len() as u64) as usize;
+            self.onto(&mut point, edge);
+        }
+        None
+    }
+
+    /// Moves one input of a comparison to where the comparison changes.
+    fn onto(&mut self, point: &mut [f64], edge: usize) {
+        let movable = if edge < self.edges.len() { self.edges.inputs(edge) } else { &[] };
+        if movable.is_empty() {
+            return;
+        }
+        let input = *self.random.pick(movable);
+        let at = match self.edges.solve(edge, input, point) {
+            Some(at) => Some(at),
+            None => {
+                let other = self.draw(input);
+                self.edges.bisect(edge, input, point, other)
+            }
+        };
+        point[input] = at.unwrap_or(point[input]);
     }
 
     /// A value for one input, its sign random where the conditions on this input alone leave it open.
@@ -262,6 +308,25 @@ mod tests {
     fn no_more_points_than_there_are() {
         let points = points(r#"["x >= 0", "x <= 0", "y >= 0", "y <= 0", "z >= 0", "z <= 0"]"#, 50, 3).unwrap();
         assert_eq!(points, [[0.0; 3]]);
+    }
+
+    #[test]
+    fn domains_without_an_inside_are_found() {
+        for (domain, inside) in [
+            (r#"["x >= 9", "x <= 9"]"#, [9.0, 0.0, 0.0]),
+            (r#"["x = 9", "y > 3*x"]"#, [9.0, 28.0, 0.0]),
+            (r#"["x = 2*y", "y >= 4", "y < 5", "z = -1/4"]"#, [9.0, 4.5, -0.25]),
+            (r#"["not (x # y or y # z)", "x > 1"]"#, [3.0, 3.0, 3.0]),
+            (r#"["x^2 <= 4", "x^2 >= 4", "x > 0"]"#, [2.0, 0.0, 0.0]),
+        ] {
+            assert!(contract(domain).kernels[0].domain.holds(&inside), "{domain}");
+            assert!(points(domain, 20, 3).is_ok(), "{domain}");
+        }
+        let single = r#"["x >= 9", "x <= 9", "y = x/3", "z = 7", "z > 0"]"#;
+        assert_eq!(points(single, 50, 3).unwrap(), [[9.0, 3.0, 7.0]]);
+        for empty in [r#"["x >= 9", "x <= 9", "x # 9"]"#, r#"["3*x = 1"]"#, r#"["1/(x-x) > 0"]"#] {
+            assert!(points(empty, 20, 3).is_err(), "{empty}");
+        }
     }
 
     #[test]

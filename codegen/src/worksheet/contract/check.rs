@@ -235,7 +235,6 @@ fn kernel(raw: raw::Kernel, few_roundings: bool) -> KernelContract {
         domain: Domain::new(inputs.clone(), conditions.collect()),
         inputs,
         branch: raw.branch,
-        natural_domain: false,
         few_roundings: raw.few_roundings.unwrap_or(few_roundings),
         one_division: raw.one_division,
         edges: raw.edges,

@@ -115,7 +115,7 @@ fn conditions_must_be_decidable() {
     let condition = |text: &str| with("a2Max > 0", text);
     points(&condition("a2Max > z"), "z", &["names `z`, which is not an input of this kernel"]);
     points(&condition("a2Max >"), "", &["cannot be read"]);
-    points(&condition("a2Max"), "a2Max", &["is not a comparison", "compare with < <= > >= #"]);
+    points(&condition("a2Max"), "a2Max", &["is not a comparison", "compare with < <= > >= = #"]);
     points(&condition("sqrt(a2Max) > 1"), "sqrt(a2Max)", &["not a rational function", "square away roots"]);
     let escaped = r"a2Max > \u007A";
     points(&condition(escaped), &format!("\"{escaped}\""), &["names `z`"]);

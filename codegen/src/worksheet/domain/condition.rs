@@ -1,4 +1,8 @@
 //! One condition: comparisons of rational functions, joined by `and`, `or` and `not`.
+//!
+//! A comparison has no value where something that is written in it divides by zero, and then neither holds nor fails.
+//! `and` fails where one part does, `or` holds where one does, `not` holds where its part fails (Kleene's logic): so
+//! `not` moves to the comparisons and turns them, and what is left holds by comparisons whose divisors are not zero.
 
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -22,8 +26,6 @@ pub enum Condition {
     And(Vec<Condition>),
     /// One holds at least.
     Or(Vec<Condition>),
-    /// It does not hold.
-    Not(Box<Condition>),
 }
 
 /// Two rational functions compared.
@@ -36,6 +38,7 @@ pub struct Comparison {
     /// The side after the operator.
     pub rhs: Expr,
     difference: Exact,
+    divisors: Vec<Comparison>,
 }
 
 /// The comparisons a condition may make.
@@ -49,6 +52,8 @@ pub enum ComparisonOperator {
     Greater,
     /// `>=`
     GreaterEqual,
+    /// `=`
+    Equal,
     /// `#`
     NotEqual,
 }
@@ -101,7 +106,7 @@ impl ConditionError {
     pub fn remedy(&self) -> &'static str {
         match self {
             Self::Syntax { .. } => "write a Maxima comparison such as a2Max > 0",
-            Self::NotComparison { .. } => "compare with < <= > >= #, and join comparisons with and, or, not",
+            Self::NotComparison { .. } => "compare with < <= > >= = #, and join comparisons with and, or, not",
             Self::UnknownVariable { .. } => "add it to the kernel's `inputs`, or correct its name",
             Self::NotRational { .. } => "use only + - * /, abs, numbers and small integer powers; square away roots",
         }
@@ -136,47 +141,75 @@ impl Condition {
             ExprKind::Binary { operator, left, right } => match ComparisonOperator::of(*operator) {
                 Some(comparison) => match magnitude::without_one(*operator, left, right) {
                     Some(without) => Self::from_expression(&without, variables),
-                    None => Ok(Self::Compare(Comparison {
-                        operator: comparison,
-                        lhs: (**left).clone(),
-                        rhs: (**right).clone(),
-                        difference: rational(left, variables)?.minus(rational(right, variables)?),
-                    })),
+                    None => Comparison::new(comparison, left, right, variables).map(Self::Compare),
                 },
                 None => Err(ConditionError::NotComparison { span: expression.span.clone() }),
             },
             ExprKind::Unary { operator: UnaryOperator::Not, operand } => {
-                Ok(Self::Not(Box::new(Self::from_expression(operand, variables)?)))
+                Ok(Self::from_expression(operand, variables)?.turned())
             }
             _ => Err(ConditionError::NotComparison { span: expression.span.clone() }),
         }
     }
 
-    /// Whether the condition holds at a point, one coordinate a variable; a comparison with a pole does not.
+    /// Whether the condition holds at a point, one coordinate a variable.
     pub fn holds(&self, point: &[Rational]) -> bool {
         match self {
             Self::Compare(comparison) => comparison.holds(point),
             Self::And(parts) => parts.iter().all(|part| part.holds(point)),
             Self::Or(parts) => parts.iter().any(|part| part.holds(point)),
-            Self::Not(part) => !part.holds(point),
         }
     }
 
-    /// Every comparison in the condition.
+    /// The condition that holds where this one fails: neither does where a comparison that matters has no value.
+    fn turned(&self) -> Self {
+        let each = |parts: &[Self]| parts.iter().map(Self::turned).collect();
+        match self {
+            Self::Compare(comparison) => Self::Compare(comparison.turned()),
+            Self::And(parts) => Self::Or(each(parts)),
+            Self::Or(parts) => Self::And(each(parts)),
+        }
+    }
+
+    /// Every comparison in the condition, those of divisors with zero before the one in which they stand.
     pub fn comparisons(&self) -> Vec<&Comparison> {
         match self {
-            Self::Compare(comparison) => vec![comparison],
+            Self::Compare(comparison) => comparison.divisors.iter().chain([comparison]).collect(),
             Self::And(parts) | Self::Or(parts) => parts.iter().flat_map(Self::comparisons).collect(),
-            Self::Not(part) => part.comparisons(),
         }
     }
 }
 
 impl Comparison {
+    fn new(operator: ComparisonOperator, lhs: &Expr, rhs: &Expr, variables: &[String]) -> Result<Self, ConditionError> {
+        let compared = |operator, lhs: &Expr, rhs: &Expr| -> Result<Self, ConditionError> {
+            let difference = rational(lhs, variables)?.minus(rational(rhs, variables)?);
+            Ok(Self { operator, lhs: lhs.clone(), rhs: rhs.clone(), difference, divisors: Vec::new() })
+        };
+        let zero = ExprKind::Integer(0.into()).into();
+        let not_zero = |divisor: &Expr| compared(ComparisonOperator::NotEqual, divisor, &zero);
+        let mut comparison = compared(operator, lhs, rhs)?;
+        let divisors = divisors_in(lhs).into_iter().chain(divisors_in(rhs)).collect::<Vec<_>>();
+        let first = |at: usize| !divisors[..at].contains(&divisors[at]);
+        comparison.divisors =
+            (0..divisors.len()).filter(|at| first(*at)).map(|at| not_zero(divisors[at])).collect::<Result<_, _>>()?;
+        Ok(comparison)
+    }
+
+    /// What is divided by in the comparison, each compared with zero: where one of these fails, the comparison has no
+    /// value.
+    pub fn divisors(&self) -> &[Comparison] {
+        &self.divisors
+    }
+
+    /// The comparison that holds where this one fails.
+    fn turned(&self) -> Self {
+        Self { operator: self.operator.turned(), ..self.clone() }
+    }
+
     /// Whether the comparison holds at a point.
     pub fn holds(&self, point: &[Rational]) -> bool {
-        let sign = self.difference(point).map(|difference| difference.cmp0());
-        sign.is_some_and(|sign| self.operator.accepts(sign))
+        self.difference(point).is_some_and(|difference| self.operator.accepts(difference.cmp0()))
     }
 
     /// `lhs - rhs` at a point; `None` at a pole.
@@ -197,6 +230,7 @@ impl ComparisonOperator {
             BinaryOperator::LessEqual => Self::LessEqual,
             BinaryOperator::Greater => Self::Greater,
             BinaryOperator::GreaterEqual => Self::GreaterEqual,
+            BinaryOperator::Equal => Self::Equal,
             BinaryOperator::NotEqual => Self::NotEqual,
             _ => return None,
         })
@@ -209,7 +243,20 @@ impl ComparisonOperator {
             Self::LessEqual => sides.is_le(),
             Self::Greater => sides.is_gt(),
             Self::GreaterEqual => sides.is_ge(),
+            Self::Equal => sides.is_eq(),
             Self::NotEqual => sides.is_ne(),
+        }
+    }
+
+    /// The operator that is true where this one is false.
+    fn turned(self) -> Self {
+        match self {
+            Self::Less => Self::GreaterEqual,
+            Self::LessEqual => Self::Greater,
+            Self::Greater => Self::LessEqual,
+            Self::GreaterEqual => Self::Less,
+            Self::Equal => Self::NotEqual,
+            Self::NotEqual => Self::Equal,
         }
     }
 }
@@ -258,4 +305,31 @@ fn small_integer(exponent: &Exact) -> Option<i32> {
     let value = exponent.at(&[])?;
     let value = if value.is_integer() { value.numer().to_i32()? } else { return None };
     (value.abs() <= MAX_POWER).then_some(value)
+}
+
+/// Everything that a rational function divides by as it is written, what stands inside before what it stands in.
+fn divisors_in(function: &Expr) -> Vec<&Expr> {
+    match &function.kind {
+        ExprKind::Unary { operand, .. } => divisors_in(operand),
+        ExprKind::Binary { operator, left, right } => {
+            let mut divisors = [divisors_in(left), divisors_in(right)].concat();
+            match operator {
+                BinaryOperator::Divide => divisors.push(right),
+                BinaryOperator::Power if is_negative(right) => divisors.push(left),
+                _ => {}
+            }
+            divisors.retain(|divisor| constant(divisor).is_none_or(|value| value.is_zero()));
+            divisors
+        }
+        _ => Vec::new(),
+    }
+}
+
+fn is_negative(exponent: &Expr) -> bool {
+    constant(exponent).is_some_and(|exponent| exponent < 0)
+}
+
+/// The value of a function that names no input.
+fn constant(function: &Expr) -> Option<Rational> {
+    rational(function, &[]).ok()?.at(&[])
 }

@@ -1,24 +1,26 @@
-//! Natural domains: what a formula needs by itself, where nobody has said more.
+//! Natural domains: what a formula needs by itself, whatever is promised of its inputs.
 
 mod surds;
 
-use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, print};
+use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, exact, print};
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
 
-use super::super::domain::{Condition, Domain};
+use super::super::domain::Condition;
 use surds::Decision;
 
 /// The conditions under which a formula has a real value: radicands not negative, denominators not zero.
 ///
 /// Of sums of two terms with square roots, squares decide. Any other condition whose sides are no rational functions is
 /// left out: it cannot be decided exactly.
-pub(super) fn natural_domain(body: &Expr, parameters: &[String]) -> Domain {
+pub(super) fn natural_domain(body: &Expr, parameters: &[String]) -> Vec<(String, Condition)> {
     let mut texts = Vec::new();
     collect(body, &mut texts);
     let conditions = texts.into_iter().filter_map(|text| {
         let condition = Condition::parse(&text, parameters).ok()?;
         Some((text, condition))
     });
-    Domain::new(parameters.to_vec(), conditions.collect())
+    conditions.collect()
 }
 
 fn collect(expr: &Expr, texts: &mut Vec<String>) {
@@ -50,25 +52,31 @@ fn collect(expr: &Expr, texts: &mut Vec<String>) {
 
 /// `base^exponent`: a half needs a radicand, a minus a denominator.
 fn power(base: &Expr, exponent: &Expr, texts: &mut Vec<String>) {
-    let (negative, exponent) = unsigned(exponent);
-    let (below, fraction) = match &exponent.kind {
-        ExprKind::Binary { operator: BinaryOperator::Divide, left, .. } => (unsigned(left).0, true),
-        ExprKind::Float(_) => (false, true),
-        _ => (false, false),
-    };
-    match (fraction, negative != below) {
-        (true, true) => condition(base, ">", texts),
-        (true, false) => condition(base, ">=", texts),
-        (false, true) => not_zero(base, texts),
-        (false, false) => {}
+    let Some(exponent) = number(exponent) else { return };
+    match (exponent.is_integer(), exponent.is_negative()) {
+        (false, true) => condition(base, ">", texts),
+        (false, false) => condition(base, ">=", texts),
+        (true, true) => not_zero(base, texts),
+        (true, false) => {}
     }
 }
 
-/// Whether a number has a minus, and the number without it.
-fn unsigned(number: &Expr) -> (bool, &Expr) {
-    match &number.kind {
-        ExprKind::Unary { operator: UnaryOperator::Minus, operand } => (true, operand),
-        _ => (false, number),
+/// The value of an expression of numbers alone.
+fn number(expr: &Expr) -> Option<BigRational> {
+    match &expr.kind {
+        ExprKind::Unary { operator: UnaryOperator::Minus, operand } => Some(-number(operand)?),
+        ExprKind::Unary { operator: UnaryOperator::Plus, operand } => number(operand),
+        ExprKind::Binary { operator, left, right } => {
+            let (left, right) = (number(left)?, number(right)?);
+            match operator {
+                BinaryOperator::Add => Some(left + right),
+                BinaryOperator::Subtract => Some(left - right),
+                BinaryOperator::Multiply => Some(left * right),
+                BinaryOperator::Divide => (!right.is_zero()).then(|| left / right),
+                _ => None,
+            }
+        }
+        _ => exact::rational(expr).ok(),
     }
 }
 
@@ -121,7 +129,7 @@ mod tests {
     fn texts(formula: &str, parameters: &[&str]) -> Vec<String> {
         let parameters: Vec<String> = parameters.iter().map(|name| (*name).to_owned()).collect();
         let body = parse_expression(formula).unwrap();
-        natural_domain(&body, &parameters).texts().map(str::to_owned).collect()
+        natural_domain(&body, &parameters).into_iter().map(|(text, _)| text).collect()
     }
 
     #[test]
@@ -131,6 +139,8 @@ mod tests {
         assert_eq!(texts("x^(-3)*y^(1/2)/sqrt(z)", &["x", "y", "z"]), ["x # 0", "y >= 0", "z >= 0", "z > 0"]);
         assert_eq!(texts("x^(-1/2)", &["x"]), ["x > 0"]);
         assert_eq!(texts("x^-(1/2)*y^0.5", &["x", "y"]), ["x > 0", "y >= 0"]);
+        assert_eq!(texts("x^2.0*y^(1-2)*z^(4/2)", &["x", "y", "z"]), ["y # 0"]);
+        assert_eq!(texts("x^(1-3/2)*y^(0.5+1)", &["x", "y"]), ["x > 0", "y >= 0"]);
         assert_eq!(texts("a/(2*b)", &["a", "b"]), ["b # 0"]);
         assert_eq!(texts("a/%pi+a^2", &["a"]), [""; 0]);
     }

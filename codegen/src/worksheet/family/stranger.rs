@@ -10,8 +10,8 @@ use miette::{Diagnostic, NamedSource, SourceSpan};
 use thiserror::Error;
 
 use super::super::contract::{self, Contract, FamilyInfo, Input, KernelContract, ResultContract, TYPICAL};
+use super::super::domain::Domain;
 use super::super::source;
-use super::natural_domain::natural_domain;
 use super::reference::{self, ReferenceMistake};
 use super::{Family, FamilyError, Paths};
 
@@ -193,8 +193,7 @@ fn kernel(definition: &Definition, name: String, stem: &str) -> KernelContract {
         doc: format!("`{}` of the worksheet.", definition.name),
         source: format!("worksheet `{stem}`"),
         inputs: definition.parameters.clone(),
-        domain: natural_domain(&definition.body, &definition.parameters),
-        natural_domain: true,
+        domain: Domain::new(definition.parameters.clone(), Vec::new()),
         branch: None,
         few_roundings: true,
         one_division: false,

@@ -1,0 +1,155 @@
+//! Proofs: the Rust text of a kernel lets in what its contract does, exactly.
+//!
+//! Each `require!` is read back and must hold where the condition of the same text does, given those before it; a
+//! condition that is not required must hold wherever the others do, and so must one that is required besides.
+
+use super::ProofError;
+use super::clauses::{Formula, Known, Literal};
+use super::domain::{order_of, sign_of};
+use super::read_back::Reader;
+use crate::expression::{Expr, LowerError, lower};
+use crate::field::{Sign, Tower, TowerError};
+use crate::worksheet::contract::KernelContract;
+use crate::worksheet::domain::{Comparison, Condition as Contracted};
+use closedform_syntax::{BinaryOp, Comparison as Operator, Condition, Expr as Source, Kernel as SourceKernel, Require};
+use thiserror::Error;
+
+/// What of a domain is not proved.
+#[derive(Debug, Error)]
+pub enum Gap {
+    /// A condition of the contract that the text does not ask for.
+    #[error("`{0}` is not required, and does not follow from what is")]
+    Missing(String),
+    /// A condition that is another one than its text says.
+    #[error("what is required as `{0}` is another condition")]
+    Different(String),
+    /// A condition that the contract does not have.
+    #[error("`{0}` is required, which is no condition of the contract and does not follow from them")]
+    Extra(String),
+    /// A condition of the contract that cannot be read.
+    #[error("the condition `{0}` cannot be read: {1}")]
+    Unreadable(String, LowerError),
+    /// A condition without a canonical form.
+    #[error("the condition `{0}` {1}")]
+    NoForm(String, TowerError),
+}
+
+/// Proves that the conditions of a text and of a contract hold at the same inputs.
+///
+/// # Errors
+/// When that is not shown.
+pub fn prove(source: &SourceKernel, contract: &KernelContract) -> Result<(), ProofError> {
+    let proof = Proof { tower: Tower::new(&contract.inputs), reader: Reader::new(source, &contract.inputs) };
+    let failed = |cause| ProofError::Domain { kernel: contract.name.clone(), cause };
+    proof.prove(source, contract).map_err(failed)
+}
+
+struct Proof<'k> {
+    tower: Tower,
+    reader: Reader<'k>,
+}
+
+impl<'k> Proof<'k> {
+    fn prove(mut self, source: &'k SourceKernel, contract: &KernelContract) -> Result<(), Gap> {
+        let mut known = Known::new(self.tower.facts.clone());
+        let mut open: Vec<&Require> = source.requires.iter().collect();
+        for stated in contract.domain.stated() {
+            let text = &stated.text;
+            let promised = self.contracted(&stated.condition, text)?;
+            match open.iter().position(|require| require.text == *text) {
+                Some(position) => {
+                    let required = self.required(&open.remove(position).condition, text)?;
+                    if !(known.implies(&promised, &required) && known.implies(&required, &promised)) {
+                        return Err(Gap::Different(text.clone()));
+                    }
+                }
+                None if !known.shows(&promised) => return Err(Gap::Missing(text.clone())),
+                None => {}
+            }
+            known.learn(&promised);
+        }
+        for require in open {
+            if !known.shows(&self.required(&require.condition, &require.text)?) {
+                return Err(Gap::Extra(require.text.clone()));
+            }
+        }
+        Ok(())
+    }
+
+    /// A condition of the contract: a comparison holds where its divisors are not zero and its difference is of the sign.
+    fn contracted(&mut self, condition: &Contracted, text: &str) -> Result<Formula, Gap> {
+        let mut all = |parts: &[Contracted]| -> Result<Vec<Formula>, Gap> {
+            parts.iter().map(|part| self.contracted(part, text)).collect()
+        };
+        match condition {
+            Contracted::And(parts) => Ok(Formula::And(all(parts)?)),
+            Contracted::Or(parts) => Ok(Formula::Or(all(parts)?)),
+            Contracted::Compare(comparison) => {
+                let comparisons = comparison.divisors().iter().chain([comparison]);
+                Ok(Formula::And(comparisons.map(|each| self.compared(each, text)).collect::<Result<_, _>>()?))
+            }
+        }
+    }
+
+    fn compared(&mut self, comparison: &Comparison, text: &str) -> Result<Formula, Gap> {
+        let unreadable = |cause| Gap::Unreadable(text.to_owned(), cause);
+        let left = lower(&comparison.lhs).map_err(unreadable)?;
+        let right = lower(&comparison.rhs).map_err(unreadable)?;
+        self.literal(&left.minus(right), sign_of(order_of(comparison.operator)), text)
+    }
+
+    /// That an expression, which has a value, is of a sign.
+    fn literal(&mut self, expr: &Expr, sign: Sign, text: &str) -> Result<Formula, Gap> {
+        let element = self.tower.canonical(expr).map_err(|cause| Gap::NoForm(text.to_owned(), cause))?;
+        Ok(Formula::Literal(Literal { polynomial: element.numerator.times(&element.denominator), sign }))
+    }
+
+    fn required(&mut self, condition: &'k Condition, text: &str) -> Result<Formula, Gap> {
+        self.turned(condition, true, text)
+    }
+
+    /// That a condition of the text holds, or that it does not.
+    fn turned(&mut self, condition: &'k Condition, holds: bool, text: &str) -> Result<Formula, Gap> {
+        match (condition, holds) {
+            (Condition::Not(inner), _) => self.turned(inner, !holds, text),
+            (Condition::And(left, right), true) | (Condition::Or(left, right), false) => {
+                Ok(Formula::And(vec![self.turned(left, holds, text)?, self.turned(right, holds, text)?]))
+            }
+            (Condition::Or(left, right), true) | (Condition::And(left, right), false) => {
+                Ok(Formula::Or(vec![self.turned(left, holds, text)?, self.turned(right, holds, text)?]))
+            }
+            (Condition::Compare { op, left, right }, _) => {
+                let difference = self.difference([left, right]).ok_or_else(|| Gap::Different(text.to_owned()))?;
+                let sign = compared_sign(*op);
+                self.literal(&difference, if holds { sign } else { sign.complement() }, text)
+            }
+        }
+    }
+
+    /// The difference of the sides of a comparison, if both are polynomials in the inputs: anything else may have no value.
+    fn difference(&self, sides: [&'k Source; 2]) -> Option<Expr> {
+        let way = self.reader.ways(&sides, 1).ok()?.pop()?;
+        let [left, right] = <[Expr; 2]>::try_from(way.values).ok()?;
+        sides.into_iter().all(is_polynomial).then(|| left.minus(right))
+    }
+}
+
+fn is_polynomial(side: &Source) -> bool {
+    !side.any(&mut |part| match part {
+        Source::Literal { .. } | Source::Name(_) | Source::Neg(_) | Source::Compensated(_) => false,
+        Source::Binary { op: BinaryOp::Div, right, .. } => !matches!(**right, Source::Literal { .. }),
+        Source::Binary { .. } => false,
+        _ => true,
+    })
+}
+
+fn compared_sign(operator: Operator) -> Sign {
+    match operator {
+        Operator::Less => Sign::NEGATIVE,
+        Operator::LessEqual => Sign::NONPOSITIVE,
+        Operator::Greater => Sign::POSITIVE,
+        Operator::GreaterEqual => Sign::NONNEGATIVE,
+        Operator::Equal => Sign::ZERO,
+        Operator::NotEqual => Sign::NONZERO,
+    }
+}
