@@ -88,14 +88,30 @@ pub fn take_out(text: &str, attribute: &Attribute) -> Vec<Edit> {
     let before = before.map(|pair| up_to(text, bytes(&pair[0]), bytes(&pair[1]).start));
     let after = all[last + 1..].first().zip(all.last()).map(|(first, end)| {
         let (kept, gone) = (bytes(&all[last]).end, bytes(first).start..bytes(end).end);
-        if is_comma(text, kept..gone.start) { kept..gone.end } else { gone.start..after_comma(text, gone.end) }
+        if is_comma(text, kept..gone.start) {
+            kept..gone.end
+        } else {
+            with_line(text, gone.start..after_comma(text, gone.end))
+        }
     });
     before.chain(after).map(|bytes| Edit { bytes, text: String::new() }).collect()
 }
 
 /// An item and what separates it from the next one, whose comments stay.
 fn up_to(text: &str, item: Range<usize>, next: usize) -> Range<usize> {
-    if is_comma(text, item.end..next) { item.start..next } else { item.start..after_comma(text, item.end) }
+    if is_comma(text, item.end..next) {
+        item.start..next
+    } else {
+        with_line(text, item.start..after_comma(text, item.end))
+    }
+}
+
+/// These bytes, with their line if nothing else is in it.
+fn with_line(text: &str, bytes: Range<usize>) -> Range<usize> {
+    let (before, after) = (text.get(..bytes.start).unwrap_or_default(), text.get(bytes.end..).unwrap_or_default());
+    let line = before.rfind('\n').map(|end| end + 1).filter(|line| before[*line..].trim().is_empty());
+    let rest = after.find('\n').map(|end| end + 1).filter(|end| after[..*end].trim().is_empty());
+    line.zip(rest).map_or(bytes.clone(), |(line, rest)| line..bytes.end + rest)
 }
 
 fn is_comma(text: &str, between: Range<usize>) -> bool {
@@ -205,6 +221,7 @@ mod tests {
                 "#[kernel(\n    latex = \"a\"\n)]",
             ),
             ("#[kernel(latex = \"a\", // first\n bound = 1, )]", "#[kernel(latex = \"a\", // first\n  )]"),
+            ("#[kernel(\n  latex = \"a\", // first\n  bound = 1,\n)]", "#[kernel(\n  latex = \"a\", // first\n)]"),
             ("#[kernel(bound = 1, // first\n latex = \"a\")]", "#[kernel( // first\n latex = \"a\")]"),
             ("#[kernel(source = \"a\")]", "#[kernel(source = \"a\")]"),
             ("#[kernel]", "#[kernel]"),
