@@ -51,6 +51,10 @@ use syn::ItemFn;
 /// `bound(field = 4)` and `results(field(worksheet = "..", unit = ".."))`. With `precision = "double-double"` every shape
 /// is computed as `faithful` is, and only rounded at the end.
 ///
+/// Nobody writes a bound by hand: `closedform bound FILE.rs --write` proves it and enters it with `certificate = ".."`, a
+/// hash of the kernel and of the version of the rules. A bound whose certificate is missing, or was issued for another
+/// text, does not compile. The hash is no secret: it guards against bounds that are made up or left behind by a change.
+///
 /// # What it becomes
 ///
 /// The function itself, NaN outside its domain, and a module of the same name: `checked`, `faithful`, `batch`, `f32`,
@@ -82,7 +86,11 @@ fn expansion(attribute: TokenStream, item: TokenStream) -> TokenStream {
         }
     };
     match closedform_syntax::parse(attribute, function.clone()) {
-        Ok(kernel) => expand::kernel(&kernel),
+        Ok(kernel) => {
+            let uncertified = closedform_syntax::certified(&kernel).err().map(syn::Error::into_compile_error);
+            let expanded = expand::kernel(&kernel);
+            quote::quote!(#uncertified #expanded)
+        }
         Err(error) => fallback::function(&error, function),
     }
 }
