@@ -3,8 +3,9 @@
 use crate::count::{Counter, integer};
 use crate::forms::number;
 use crate::refusal::{Reason, Refusal, TextError};
+use crate::room::with_room;
 use crate::trusted;
-use closedform_syntax::{Kernel, Precision, ResultMeta};
+use closedform_syntax::{Kernel, Precision};
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
@@ -23,14 +24,25 @@ pub struct ResultBound {
     pub stated: f64,
 }
 
-/// The bounds of a kernel's results, derived from its text and equal to those stated: not smaller, and larger by their
-/// rounding up at most. Its domain must be decided without rounding errors.
+/// A bound that was derived, whatever is stated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Derived {
+    /// The result.
+    pub result: String,
+    /// The count of its roundings: its relative error in units of 2^-53.
+    pub units: BigRational,
+    /// The bound in ulp, rounded up to a hundredth.
+    pub ulp: f64,
+}
+
+/// The bounds of a kernel's results, derived from its text. Its domain must be decided without rounding errors.
 ///
 /// # Errors
-/// One refusal for every result whose bound cannot be derived or is not the one stated.
-pub fn check(kernel: &Kernel) -> Result<Vec<ResultBound>, Vec<Refusal>> {
+/// One refusal for every result whose bound cannot be derived, and for every comparison that rounding may turn.
+pub fn derive(kernel: &Kernel) -> Result<Vec<Derived>, Vec<Refusal>> {
     if kernel.meta.precision == Precision::Certified {
-        return certified(kernel);
+        let results = kernel.meta.results.iter().map(|meta| meta.name.to_string());
+        return Ok(results.map(|result| derived(result, trusted::certified())).collect());
     }
     let counter = Counter::new(kernel);
     let (cases, mut refusals) = counter.domain();
@@ -39,23 +51,31 @@ pub fn check(kernel: &Kernel) -> Result<Vec<ResultBound>, Vec<Refusal>> {
         let result = meta.name.to_string();
         let counts = cases.iter().map(|case| counter.count(value, case, &result));
         let worst = counts.reduce(|a, b| Ok(a?.max(b?))).unwrap_or_else(|| Ok(BigRational::zero()));
-        let worst = worst.map(|units| units + counter.last_rounding());
-        let bound = worst.and_then(|units| held(&kernel.name.to_string(), result, units, meta.bound));
-        match bound {
-            Ok(bound) => bounds.push(bound),
+        match worst.map(|units| units + counter.last_rounding()) {
+            Ok(units) => bounds.push(derived(result, units)),
+            Err(refusal) if refusals.contains(&refusal) => {}
             Err(refusal) => refusals.push(refusal),
         }
     }
     if refusals.is_empty() { Ok(bounds) } else { Err(refusals) }
 }
 
-/// The bounds of a kernel whose calls enforce them.
-fn certified(kernel: &Kernel) -> Result<Vec<ResultBound>, Vec<Refusal>> {
-    let name = kernel.name.to_string();
-    let held = |meta: &ResultMeta| held(&name, meta.name.to_string(), trusted::certified(), meta.bound);
-    let (bounds, refusals): (Vec<_>, Vec<_>) = kernel.meta.results.iter().map(held).partition(Result::is_ok);
-    let refusals: Vec<Refusal> = refusals.into_iter().filter_map(Result::err).collect();
-    if refusals.is_empty() { Ok(bounds.into_iter().flatten().collect()) } else { Err(refusals) }
+/// The bounds of a kernel's results, derived from its text and equal to those stated: not smaller, and larger by their
+/// rounding up at most.
+///
+/// # Errors
+/// As [`derive`], and one refusal for every bound that is not the one stated.
+pub fn check(kernel: &Kernel) -> Result<Vec<ResultBound>, Vec<Refusal>> {
+    let held = derive(kernel)?.into_iter().zip(&kernel.meta.results).map(|(bound, meta)| {
+        let name = kernel.name.to_string();
+        held(&name, bound, meta.bound)
+    });
+    let (bounds, refusals): (Vec<_>, Vec<_>) = held.partition(Result::is_ok);
+    if refusals.is_empty() {
+        Ok(bounds.into_iter().flatten().collect())
+    } else {
+        Err(refusals.into_iter().filter_map(Result::err).collect())
+    }
 }
 
 /// The bounds of every kernel of a source file.
@@ -63,15 +83,17 @@ fn certified(kernel: &Kernel) -> Result<Vec<ResultBound>, Vec<Refusal>> {
 /// # Errors
 /// What keeps the text from being read, or every refusal.
 pub fn check_text(text: &str) -> Result<Vec<ResultBound>, TextError> {
-    let kernels = closedform_syntax::parse_file(text).map_err(|cause| TextError::Unreadable(cause.to_string()))?;
-    let (mut bounds, mut refusals) = (Vec::new(), Vec::new());
-    for kernel in &kernels {
-        match check(kernel) {
-            Ok(more) => bounds.extend(more),
-            Err(more) => refusals.extend(more),
+    with_room(|| {
+        let kernels = closedform_syntax::parse_file(text).map_err(|cause| TextError::Unreadable(cause.to_string()))?;
+        let (mut bounds, mut refusals) = (Vec::new(), Vec::new());
+        for kernel in &kernels {
+            match check(kernel) {
+                Ok(more) => bounds.extend(more),
+                Err(more) => refusals.extend(more),
+            }
         }
-    }
-    if refusals.is_empty() { Ok(bounds) } else { Err(TextError::Refused(refusals)) }
+        if refusals.is_empty() { Ok(bounds) } else { Err(TextError::Refused(refusals)) }
+    })
 }
 
 /// How much larger than the derived bound the stated one may be, in ulp: both are rounded up to a hundredth.
@@ -79,19 +101,23 @@ fn slack() -> BigRational {
     BigRational::new(1.into(), 100.into())
 }
 
-fn held(kernel: &str, result: String, units: BigRational, stated: Option<f64>) -> Result<ResultBound, Refusal> {
-    let bound = in_ulp(&units);
-    let printed = rounded_up(&bound);
-    let derived = printed.to_f64().unwrap_or(f64::INFINITY);
+fn derived(result: String, units: BigRational) -> Derived {
+    let ulp = rounded_up(&in_ulp(&units)).to_f64().unwrap_or(f64::INFINITY);
+    Derived { result, units, ulp }
+}
+
+fn held(kernel: &str, bound: Derived, stated: Option<f64>) -> Result<ResultBound, Refusal> {
+    let Derived { result, units, ulp } = bound;
+    let exact = in_ulp(&units);
     let refused = |reason| Refusal { kernel: kernel.to_owned(), step: result.clone(), reason };
-    let Some(stated) = stated else { return Err(refused(Reason::Unstated { derived })) };
-    if hundredths(stated) < bound {
-        return Err(refused(Reason::Understated { stated, derived }));
+    let Some(stated) = stated else { return Err(refused(Reason::Unstated { derived: ulp })) };
+    if hundredths(stated) < exact {
+        return Err(refused(Reason::Understated { stated, derived: ulp }));
     }
-    if hundredths(stated) > printed + slack() {
-        return Err(refused(Reason::Overstated { stated, derived }));
+    if hundredths(stated) > rounded_up(&exact) + slack() {
+        return Err(refused(Reason::Overstated { stated, derived: ulp }));
     }
-    Ok(ResultBound { kernel: kernel.to_owned(), result, units, ulp: derived, stated })
+    Ok(ResultBound { kernel: kernel.to_owned(), result, units, ulp, stated })
 }
 
 /// A count as a bound in ulp.
@@ -197,7 +223,9 @@ mod tests {
         for condition in ["x >= 3.0 * y - 2.0 * y", "x * x > y * y", "x - y > z", "x > 0.0 || y * z > 1.0"] {
             assert!(decided(condition).unwrap_err().contains("rounding may turn"), "{condition}");
         }
-        for condition in ["x >= 2.0 * y", "x - y > 0.0", "x * y > 0.0 && !(x * x + y * y == 0.0)", "sqrt(x) != 0.0"] {
+        for condition in
+            ["x >= 2.0 * y", "x - y > 0.0", "x * y > 0.0 && !(x * x + y * y == 0.0)", "sqrt(abs(x)) != 0.0"]
+        {
             assert_eq!(decided(condition), Ok(()), "{condition}");
         }
         assert!(bound("require!(x > 0.0); require!(x * y - y > 0.0);", "x").is_err());

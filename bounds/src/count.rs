@@ -9,7 +9,7 @@ use crate::refusal::{Reason, Refusal};
 use crate::sign::Sign;
 use crate::text::text;
 use crate::trusted;
-use closedform_syntax::{BinaryOp, Condition, Expr, Kernel, Precision, condition_text};
+use closedform_syntax::{BinaryOp, Condition, Expr, Kernel, Precision};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -74,7 +74,7 @@ impl<'k> Counter<'k> {
             refusals.extend(open.map(|comparison| Refusal {
                 kernel: self.kernel.name.to_string(),
                 step: "require!".to_owned(),
-                reason: Reason::Undecided(condition_text(comparison)),
+                reason: self.why_open(comparison, &cases),
             }));
             let split: Vec<Case> = cases.iter().flat_map(|case| self.cases(&require.condition, true, case)).collect();
             cases = if split.len() > CASES { cases } else { split };
@@ -84,7 +84,7 @@ impl<'k> Counter<'k> {
     }
 
     /// The cases of one where a condition holds, or where it does not.
-    fn cases(&self, condition: &'k Condition, holds: bool, case: &Case) -> Vec<Case> {
+    pub(crate) fn cases(&self, condition: &'k Condition, holds: bool, case: &Case) -> Vec<Case> {
         let compare = |condition: &'k Condition| self.decided(condition, case);
         case.split(&alternatives(condition, holds, &compare))
     }
@@ -108,7 +108,11 @@ impl<'k> Counter<'k> {
             Expr::Name(name) => self.count_name(name.slot, case),
             Expr::Pi(_) => Ok(self.rounding()),
             Expr::Neg(inner) | Expr::Abs(inner) => self.count(inner, case, step),
-            Expr::Sqrt(inner) => Ok(self.count(inner, case, step)? / integer(2) + self.rounding()),
+            Expr::Sqrt(inner) => {
+                let count = self.count(inner, case, step)?;
+                self.has_root(inner, case, step)?;
+                Ok(count / integer(2) + self.rounding())
+            }
             Expr::Binary { op: BinaryOp::Add | BinaryOp::Sub, left, right } => {
                 match correction::of(self, expr, case, step) {
                     Some(count) => count,
@@ -122,6 +126,7 @@ impl<'k> Counter<'k> {
             Expr::Residual(_) => self.refuse(step, Reason::Residual(text(expr))),
             Expr::PositiveRoot(coefficients) => {
                 let worst = self.count_worst(coefficients, case, step)?;
+                self.has_positive_root(expr, coefficients, case, step)?;
                 Ok(worst * integer(2) + trusted::positive_root())
             }
         }
@@ -176,6 +181,9 @@ impl<'k> Counter<'k> {
 
     fn count_product(&self, op: BinaryOp, (left, right): (&'k Expr, &'k Expr), case: &Case, step: &str) -> Count {
         let sum = self.count(left, case, step)? + self.count(right, case, step)?;
+        if op == BinaryOp::Div {
+            self.divides(right, case, step)?;
+        }
         let scales = |factor| self.is_power_of_two(factor);
         let exact = scales(right) || op == BinaryOp::Mul && scales(left);
         Ok(if exact { sum } else { sum + self.rounding() })

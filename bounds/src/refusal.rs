@@ -36,6 +36,15 @@ pub enum Reason {
     Undecided(String),
     /// A comparison that decides between different values, and that rounding may turn.
     Turned(String),
+    /// A value that is computed where it may not be defined.
+    Undefined {
+        /// What it is.
+        kind: Undefined,
+        /// The divisor, the radicand, or the root of a polynomial.
+        value: String,
+        /// The condition that would make it so, if one on inputs does.
+        condition: Option<String>,
+    },
     /// A `residual!` that corrects no root.
     Residual(String),
     /// A root's correction that is none, or not shown to be right.
@@ -66,7 +75,52 @@ pub enum Reason {
     },
 }
 
+/// What is not defined everywhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Undefined {
+    /// A quotient, whose divisor may be zero.
+    Quotient,
+    /// A square root of what may be negative.
+    Root,
+    /// A `positive_root`, whose coefficients may change their sign never or twice.
+    PolynomialRoot,
+}
+
+impl Undefined {
+    /// How what it depends on compares with zero where it is defined.
+    pub(crate) fn comparison(self) -> &'static str {
+        match self {
+            Self::Quotient => "!=",
+            Self::Root | Self::PolynomialRoot => ">=",
+        }
+    }
+
+    fn cause(self) -> &'static str {
+        match self {
+            Self::Quotient => "is divided by, and may be zero",
+            Self::Root => "stands under a root, and may be negative",
+            Self::PolynomialRoot => {
+                "may have no root, or several: its coefficients are not shown to be negative below some power and \
+                 positive above it"
+            }
+        }
+    }
+}
+
 impl Reason {
+    /// The expression that it is about, as its message quotes it.
+    pub(crate) fn quoted(&self) -> Option<&str> {
+        match self {
+            Self::MayCancel { sum: text, .. }
+            | Self::Rounded { slice: text, .. }
+            | Self::Undefined { value: text, .. }
+            | Self::Correction { correction: text, .. }
+            | Self::Undecided(text)
+            | Self::Residual(text) => Some(text),
+            _ => None,
+        }
+    }
+
     pub(crate) fn may_cancel(sum: String, left: Sign, right: Sign) -> Self {
         Self::MayCancel { sum, signs: format!("the left one is {left}, the right one {right}") }
     }
@@ -99,6 +153,12 @@ impl fmt::Display for Reason {
                 "rounding may turn `{comparison}`, by which an `if` decides between two values that are not shown to be \
                  the same function: compare exact numbers, or write `compensated!(..)` and compare it with 0"
             ),
+            Self::Undefined { kind, value, condition: Some(condition) } => {
+                write!(f, "`{value}` {}: say `require!({condition})`", kind.cause())
+            }
+            Self::Undefined { kind, value, condition: None } => {
+                write!(f, "`{value}` {}: say by `require!(..)` what of the inputs keeps it from that", kind.cause())
+            }
             Self::Residual(residual) => write!(
                 f,
                 "`{residual}` has no bound of its own: use it to correct a `positive_root`, or write `compensated!`"

@@ -14,6 +14,11 @@ pub fn text(expr: &Expr) -> String {
     }
 }
 
+/// Whether an expression is short enough to be shown whole.
+pub fn is_whole(expr: &Expr) -> bool {
+    written(expr, 0).chars().nth(LENGTH).is_none()
+}
+
 fn list(items: &[Expr]) -> String {
     items.iter().map(|item| written(item, 0)).collect::<Vec<_>>().join(", ")
 }

@@ -21,6 +21,7 @@ pub mod program;
 pub mod root;
 pub mod rust;
 pub mod stable;
+pub mod stated;
 pub mod verdict;
 pub mod worker;
 pub mod worksheet;

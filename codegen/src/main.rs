@@ -1,7 +1,7 @@
 //! The command `closedform`: reads its arguments and says what went wrong.
 
 use clap::{Parser, Subcommand};
-use closedform_codegen::command::{check, derive, eval, generate, ledger, list, motion, mutants, show, verify};
+use closedform_codegen::command::{bound, check, derive, eval, generate, ledger, list, motion, mutants, show, verify};
 use closedform_codegen::root::{self, project_root};
 use closedform_codegen::worker::{self, Source};
 use std::path::PathBuf;
@@ -29,6 +29,7 @@ enum Command {
     Verify(verify::Args),
     Ledger(ledger::Args),
     Mutants(mutants::Args),
+    Bound(bound::Args),
     /// Plan a move: times, peaks against limits, and the table that a controller takes
     Plan(motion::Args),
     /// The same, with a picture
@@ -70,6 +71,7 @@ fn run(cli: Cli) -> miette::Result<ExitCode> {
         Command::Verify(args) => verify::run(&args, &root()?)?,
         Command::Ledger(args) => ledger::run(&args, &root()?)?,
         Command::Mutants(args) => mutants::run(&args, &root()?)?,
+        Command::Bound(args) => bound::run(&args)?,
         Command::Worker { output, folder, worksheet, kernels } => {
             let source = match (folder, worksheet, kernels) {
                 (_, Some(worksheet), _) => Source::Worksheet(worksheet),

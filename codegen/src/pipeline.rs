@@ -1,9 +1,10 @@
 //! The pipeline: families in, the text of every generated file out, each kernel proved equal to its references.
 
-use crate::bound_proof::{BoundError, bound_proof};
+use crate::bound_proof::{BoundError, certified_bound_proof};
 use crate::kernel::{KernelError, ProofError, make, make_as_written, prove};
 use crate::program::cost;
 use crate::rust::{KernelText, ModuleText, print_module};
+use crate::stated::with_certificates;
 use crate::worksheet::contract::KernelContract;
 use crate::worksheet::family::Family;
 use crate::worksheet::sample::{EmptyDomain, sample};
@@ -162,7 +163,7 @@ fn take_as_written(
     for kernel in kernels {
         let contract = family.contract.kernels.iter().find(|contract| contract.name == kernel.name);
         let (Some(because), Some(contract)) = (open.get(name(kernel).as_str()), contract) else { continue };
-        match as_written(family, contract, (*because).to_owned()) {
+        match as_written(family, &family.completed(contract), (*because).to_owned()) {
             Ok(made) => *kernel = made,
             Err(cause) => unmade.push(PipelineError::Kernel { kernel: name(kernel), cause }),
         }
@@ -196,13 +197,15 @@ fn make_kernel(family: &Family, kernel: &KernelContract, name: String) -> Result
 }
 
 fn module_text(family: &Family, kernels: &[KernelText]) -> String {
-    print_module(&ModuleText {
+    let text = print_module(&ModuleText {
         family: &family.name,
         title: &family.contract.family.title,
         source: &family.contract.family.source,
         made_from: &made_from(family),
         kernels,
-    })
+    });
+    // what certificates are worth is shown next: every stated bound is proved before the text leaves
+    with_certificates(&text)
 }
 
 /// The reference expressions of a kernel, one a result.
@@ -234,7 +237,8 @@ pub fn unproved(family: &Family, text: &str) -> Vec<PipelineError> {
             None => causes.push(PipelineError::Missing(name)),
             Some(source) => {
                 let proof = prove(source, &family.completed(kernel), &references_of(family, kernel));
-                let bound = bound_proof(source).map_err(|cause| PipelineError::Bound { kernel: name.clone(), cause });
+                let bound = certified_bound_proof(source);
+                let bound = bound.map_err(|cause| PipelineError::Bound { kernel: name.clone(), cause });
                 causes.extend(proof.err().map(|cause| PipelineError::Unproved { kernel: name, cause }));
                 causes.extend(bound.err());
             }

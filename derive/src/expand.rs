@@ -4,6 +4,7 @@ use closedform_syntax::{Kernel, Output};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::Attribute;
+use syn::ext::IdentExt;
 
 use crate::{info, program};
 
@@ -33,7 +34,7 @@ impl<'a> Parts<'a> {
         Parts {
             kernel,
             inputs: kernel.inputs.iter().map(|input| &input.name).collect(),
-            results: results.map(|result| format_ident!("{}", result.name, span = Span::mixed_site())).collect(),
+            results: results.map(|result| unseen(&result.name)).collect(),
             sizes: quote!(#n, #k, #m),
         }
     }
@@ -62,7 +63,8 @@ impl<'a> Parts<'a> {
     fn module(&self) -> TokenStream {
         let Kernel { attributes, visibility, name, .. } = self.kernel;
         let conditional = attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
-        let documentation = format!("[`{name}`](fn@{name}) in its other arithmetics and shapes.");
+        let plain = name.unraw();
+        let documentation = format!("[`{plain}`](fn@{name}) in its other arithmetics and shapes.");
         let items = [
             self.constants(),
             self.program(),
@@ -165,8 +167,14 @@ impl<'a> Parts<'a> {
         let Parts { inputs, results, sizes, .. } = self;
         let returned = self.returned(&quote!(super::));
         let output = self.output(&quote!(super::));
+        let documentation = if self.kernel.meta.results.iter().all(|result| result.bound.is_some()) {
+            "The value with an error of less than one ulp; slower. NaN outside the domain."
+        } else {
+            "The value computed in double-double and rounded once; slower. NaN outside the domain.\n\nNo bound of its error \
+             is known: the kernel carries no certificate."
+        };
         quote! {
-            /// The value with an error of less than one ulp; slower. NaN outside the domain.
+            #[doc = #documentation]
             #[must_use]
             pub fn faithful(#(#inputs: f64),*) -> #returned {
                 let [#(#results),*] = ::closedform::__private::faithful::<Program, #sizes>(&[#(#inputs),*]);
@@ -214,7 +222,7 @@ impl<'a> Parts<'a> {
         let length = Ident::new("__length", Span::mixed_site());
         let slices = self.inputs.iter().copied().chain(&self.results);
         let checks = slices.clone().skip(1).map(|slice| {
-            let name = slice.to_string();
+            let name = slice.unraw().to_string();
             quote!(::closedform::__private::same_length(INFO.name, #name, #length, #slice.len())?;)
         });
         let first = self.inputs.first();
@@ -275,6 +283,13 @@ impl<'a> Parts<'a> {
             }
         }
     }
+}
+
+/// A name that is spelt alike and that the user's names do not see.
+fn unseen(name: &Ident) -> Ident {
+    let mut unseen = name.clone();
+    unseen.set_span(Span::mixed_site());
+    unseen
 }
 
 fn missing(attributes: &[Attribute], name: &str) -> bool {

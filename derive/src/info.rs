@@ -3,6 +3,7 @@
 use closedform_syntax::{Input, Kernel, Precision, ResultMeta, most_factors, operations};
 use proc_macro2::TokenStream;
 use quote::quote;
+use syn::ext::IdentExt;
 
 /// The magnitudes to expect of an input whose range is not given.
 const TYPICAL: (f64, f64) = (1e-3, 1e3);
@@ -45,8 +46,8 @@ pub fn info(kernel: &Kernel) -> TokenStream {
 
 fn full_name(kernel: &Kernel) -> String {
     match &kernel.meta.family {
-        Some(family) => format!("{family}::{}", kernel.name),
-        None => kernel.name.to_string(),
+        Some(family) => format!("{family}::{}", kernel.name.unraw()),
+        None => kernel.name.unraw().to_string(),
     }
 }
 
@@ -55,7 +56,7 @@ fn or_empty(text: &Option<String>) -> &str {
 }
 
 fn input(input: &Input) -> TokenStream {
-    let name = input.name.to_string();
+    let name = input.name.unraw().to_string();
     let maxima = input.maxima.as_ref().unwrap_or(&name);
     let unit = or_empty(&input.unit);
     let (low, high) = input.typical.unwrap_or(TYPICAL);
@@ -63,7 +64,7 @@ fn input(input: &Input) -> TokenStream {
 }
 
 fn result(result: &ResultMeta) -> TokenStream {
-    let name = result.name.to_string();
+    let name = result.name.unraw().to_string();
     let [worksheet, unit] = [&result.worksheet, &result.unit].map(or_empty);
     let bound = match result.bound {
         Some(bound) => quote!(::core::option::Option::Some(#bound)),

@@ -47,20 +47,37 @@ use syn::ItemFn;
 /// # The attribute
 ///
 /// All keys are optional: `family`, `maxima`, `latex`, `source` are texts; `rules("..", "..")` names rewrites; `bound = 4`
-/// promises an error in ulp; `result(worksheet = "..", unit = "..")` describes the result. For a struct write
+/// states an error in ulp; `result(worksheet = "..", unit = "..")` describes the result. For a struct write
 /// `bound(field = 4)` and `results(field(worksheet = "..", unit = ".."))`. With `precision = "double-double"` every shape
 /// is computed as `faithful` is, and only rounded at the end.
 ///
+/// Nobody writes a bound by hand: `closedform bound FILE.rs --write` proves it and enters it with `certificate = ".."`, a
+/// hash of the kernel and of the version of the rules. A bound whose certificate is missing, or was issued for another
+/// text, does not compile. The hash is no secret: it guards against bounds that are made up or left behind by a change.
+///
 /// # What it becomes
 ///
-/// The function itself, NaN outside its domain, and a module of the same name: `checked`, `batch`, `f32`, `evaluate` in
-/// any arithmetic, `INFO` and `KERNEL`.
+/// The function itself, NaN outside its domain, and a module of the same name: `checked`, `faithful`, `batch`, `f32`,
+/// `evaluate` in any arithmetic, `INFO` and `KERNEL`.
+///
+/// The function is off by no more than its bound where it states one, and `faithful` by less than one ulp. Without a
+/// bound neither promises anything: `faithful` computes the same steps in double-double, which keeps most digits of
+/// most formulas, but nothing shows that it keeps those of this one.
+///
+/// # Limits
+///
+/// Brackets, prefix operators and `if`s may be nested 256 deep, and 1024 operators may follow each other in a row; 1024 `let`s
+/// are the most.
 #[proc_macro_attribute]
 pub fn kernel(attribute: proc_macro::TokenStream, item: proc_macro::TokenStream) -> proc_macro::TokenStream {
     expansion(attribute.into(), item.into()).into()
 }
 
 fn expansion(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    let tokens = [attribute.clone(), item.clone()].into_iter().collect();
+    if let Err(error) = closedform_syntax::check_limits(tokens) {
+        return fallback::deep(&error, item);
+    }
     let function: ItemFn = match syn::parse2(item.clone()) {
         Ok(function) => function,
         Err(error) => {
@@ -69,7 +86,11 @@ fn expansion(attribute: TokenStream, item: TokenStream) -> TokenStream {
         }
     };
     match closedform_syntax::parse(attribute, function.clone()) {
-        Ok(kernel) => expand::kernel(&kernel),
+        Ok(kernel) => {
+            let uncertified = closedform_syntax::certified(&kernel).err().map(syn::Error::into_compile_error);
+            let expanded = expand::kernel(&kernel);
+            quote::quote!(#uncertified #expanded)
+        }
         Err(error) => fallback::function(&error, function),
     }
 }

@@ -27,7 +27,8 @@ source! {
         latex = "t",
         source = "2.3.1 %o50",
         rules("conjugate", "compensated"),
-        bound = 6,
+        bound = 6.01,
+        certificate = "1-eb2a753ef912f47f",
         result(worksheet = "tInFn", unit = "s")
     )]
     pub fn t_in(
@@ -39,13 +40,14 @@ source! {
         require!(compensated!(3.0 * d - a2_max * t_out * (2.0 * t_out)) > 0.0 && (d < 1e9 || !(t_out >= 0.0)));
         let tau = 2.0 * t_out;
         let n = compensated!(3.0 * d - a2_max * t_out * tau);
-        n / (sqrt(tau * tau + d) + tau) + PI
+        n / (sqrt(tau * tau + d) + abs(tau)) + PI
     }
 
     /// Two results.
     #[kernel(
         family = "turnaround",
-        bound(t1 = 4, a1 = 1.5),
+        bound(t1 = 0.5, a1 = 5.01),
+        certificate = "1-793e6608cd034f8c",
         results(a1(worksheet = "a1Fn", unit = "m"), t1(unit = "s"))
     )]
     fn ramp(x: f64, out: f64) -> Ramp {
@@ -64,7 +66,7 @@ source! {
     }
 
     /// Rounded once.
-    #[kernel(precision = "double-double", bound = 0.51)]
+    #[kernel(precision = "double-double", bound = 0.51, certificate = "1-511fda88e0911232")]
     pub fn precise(a: f64, b: f64) -> f64 {
         require!(compensated!(a * b - 1.0) != 0.0 && (a - b) * (a + b) > 0.0);
         let root = sqrt(a * a + b * b);
@@ -277,7 +279,7 @@ fn info_tells_what_was_written() {
     let [t_out, _, d] = info.inputs else { panic!("three inputs") };
     assert_eq!((t_out.name, t_out.maxima, t_out.unit, t_out.typical), ("t_out", "tOut", "s", (1e-4, 1e-1)));
     assert_eq!((d.name, d.maxima, d.unit), ("d", "d", ""));
-    assert_eq!(info.results[0].bound_ulp, Some(6.0));
+    assert_eq!(info.results[0].bound_ulp, Some(6.01));
     assert_eq!((info.results[0].name, info.results[0].worksheet, info.results[0].unit), ("t_in", "tInFn", "s"));
     let operations = closedform::Operations { add: 3, mul: 2, div: 1, sqrt: 1, compensated: 4, root: 0 };
     assert_eq!(info.operations, operations);
@@ -288,8 +290,8 @@ fn info_tells_what_was_written() {
 #[test]
 fn results_of_a_struct_keep_the_order_of_the_literal() {
     let [t1, a1] = ramp::INFO.results else { panic!("two results") };
-    assert_eq!((t1.name, t1.unit, t1.bound_ulp), ("t1", "s", Some(4.0)));
-    assert_eq!((a1.name, a1.worksheet, a1.bound_ulp), ("a1", "a1Fn", Some(1.5)));
+    assert_eq!((t1.name, t1.unit, t1.bound_ulp), ("t1", "s", Some(0.5)));
+    assert_eq!((a1.name, a1.worksheet, a1.bound_ulp), ("a1", "a1Fn", Some(5.01)));
 }
 
 #[test]
@@ -329,6 +331,36 @@ mod inner {
     pub(super) fn hyp(a: f64, b: f64) -> f64 {
         sqrt(a * a + b * b)
     }
+}
+
+/// Names that are keywords, of everything that has one.
+mod raw {
+    use closedform::kernel;
+
+    pub struct Match {
+        pub r#fn: f64,
+    }
+
+    #[kernel]
+    pub fn r#type(r#in: f64) -> f64 {
+        r#in
+    }
+
+    #[kernel]
+    pub fn r#match(r#mod: f64) -> Match {
+        Match { r#fn: r#mod * r#mod }
+    }
+}
+
+#[test]
+fn raw_names_are_names() {
+    assert_eq!((raw::r#type(2.0), raw::r#type::faithful(2.0)), (2.0, 2.0));
+    assert_eq!(raw::r#match::checked(2.0).map(|results| results.r#fn), Ok(4.0));
+    assert_eq!((raw::r#type::INFO.name, raw::r#type::INFO.inputs[0].name), ("type", "in"));
+    assert_eq!(raw::r#match::INFO.results[0].name, "fn");
+    let mut squares = [0.0; 2];
+    assert_eq!(raw::r#match::batch(&[1.0, 3.0], &mut squares), Ok(()));
+    assert_eq!(squares, [1.0, 9.0]);
 }
 
 #[test]

@@ -70,7 +70,7 @@ pub struct ResultInfo {
     pub worksheet: &'static str,
     /// Its unit; empty where none is given.
     pub unit: &'static str,
-    /// The error in ulp that it never exceeds, where one is promised.
+    /// The error in ulp that it never exceeds, where one is proved.
     pub bound_ulp: Option<f64>,
 }
 

@@ -65,7 +65,8 @@ impl Kernel {
         (self.plain)(inputs, results)
     }
 
-    /// The results with an error of less than one ulp each, NaN outside the domain.
+    /// The results computed in double-double and rounded once, NaN outside the domain: with an error of less than one
+    /// ulp where [`ResultInfo::bound_ulp`](crate::ResultInfo::bound_ulp) is known, which takes a proof.
     pub fn faithful(&self, inputs: &[f64], results: &mut [f64]) -> Result<(), LengthError> {
         (self.faithful)(inputs, results)
     }

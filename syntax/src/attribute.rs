@@ -1,6 +1,6 @@
 //! The attribute `#[kernel(..)]`: what is known of a kernel besides its code.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use syn::parse::Parser;
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Expr, ExprLit, Lit, LitStr, Meta, MetaList, Path, Token};
@@ -15,6 +15,8 @@ pub struct Written {
     rules: Vec<String>,
     precision: Precision,
     bounds: Vec<About<f64>>,
+    bound_place: Option<Span>,
+    certificate: Option<LitStr>,
     results: Vec<About<Described>>,
 }
 
@@ -54,11 +56,15 @@ impl Written {
         let path = item.path();
         match path.get_ident().map(Ident::to_string).as_deref() {
             Some("family" | "maxima" | "latex" | "source") => {
-                self.texts.extend(text(item, errors).map(|text| (path.clone(), text)));
+                self.texts.extend(text(item, errors).map(|text| (path.clone(), text.value())));
             }
             Some("precision") => self.precision = precision(item, errors),
             Some("rules") => self.rules = rules(item, errors),
-            Some("bound") => self.bounds = bounds(item, errors),
+            Some("bound") => {
+                self.bound_place = path.get_ident().map(Ident::span);
+                self.bounds = bounds(item, errors);
+            }
+            Some("certificate") => self.certificate = text(item, errors),
             Some("result") => {
                 self.results = vec![About { path: path.clone(), field: None, fact: described(item, errors) }]
             }
@@ -90,6 +96,8 @@ impl Written {
             rules: self.rules.clone(),
             precision: self.precision,
             results,
+            bound_place: self.bound_place,
+            certificate: self.certificate.clone(),
         }
     }
 
@@ -136,11 +144,11 @@ pub fn items(list: &MetaList, message: &str, errors: &mut Errors) -> Vec<Meta> {
 }
 
 /// The text of `key = "text"`.
-pub fn text(item: &Meta, errors: &mut Errors) -> Option<String> {
+pub fn text(item: &Meta, errors: &mut Errors) -> Option<LitStr> {
     if let Meta::NameValue(pair) = item
         && let Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) = &pair.value
     {
-        return Some(text.value());
+        return Some(text.clone());
     }
     errors.push(item, error::TEXT);
     None
@@ -148,6 +156,7 @@ pub fn text(item: &Meta, errors: &mut Errors) -> Option<String> {
 
 fn precision(item: &Meta, errors: &mut Errors) -> Precision {
     let Some(written) = text(item, errors) else { return Precision::default() };
+    let written = written.value();
     Precision::ALL.into_iter().find(|precision| precision.name() == written).unwrap_or_else(|| {
         errors.push(item, error::PRECISION);
         Precision::default()
@@ -230,8 +239,8 @@ fn described(item: &Meta, errors: &mut Errors) -> Described {
     };
     for fact in items(list, error::RESULT, errors) {
         match fact.path() {
-            path if path.is_ident("worksheet") => described.worksheet = text(&fact, errors),
-            path if path.is_ident("unit") => described.unit = text(&fact, errors),
+            path if path.is_ident("worksheet") => described.worksheet = text(&fact, errors).map(|text| text.value()),
+            path if path.is_ident("unit") => described.unit = text(&fact, errors).map(|text| text.value()),
             path => errors.push(path, error::RESULT),
         }
     }

@@ -3,10 +3,12 @@
 use syn::parse::{Parse, ParseStream};
 use syn::{Expr, ExprMacro, ItemFn, LitStr, Local, LocalInit, Macro, Stmt, Token};
 
+use crate::comparison;
 use crate::error::{self, Errors};
 use crate::expression::{Reader, refusal};
 use crate::input::Returns;
 use crate::kernel::{Let, Output, Require};
+use crate::limits::MAX_STEPS;
 use crate::output;
 use crate::pattern::{intended_names, plain_name};
 use crate::print::condition_text;
@@ -31,6 +33,10 @@ pub fn parse(function: &ItemFn, returns: Option<Returns>, scope: &mut Scope, err
                     errors.push(&step.mac, error::LATE_REQUIRE);
                 }
                 requires.extend(require(&step.mac, scope, errors));
+            }
+            Stmt::Local(step) if lets.len() == MAX_STEPS => {
+                errors.push(step, error::STEPS);
+                return None;
             }
             Stmt::Local(step) => lets.push(binding(step, scope, errors)),
             Stmt::Macro(step) => errors.push(&step.mac, error::MACRO),
@@ -84,7 +90,7 @@ impl Parse for Requirement {
 
 fn require(mac: &Macro, scope: &Scope, errors: &mut Errors) -> Option<Require> {
     let Ok(Requirement { condition, text }) = mac.parse_body() else {
-        errors.push(mac, error::REQUIRE);
+        errors.push(mac, if comparison::is_chain(&mac.tokens) { error::CHAINED } else { error::REQUIRE });
         return None;
     };
     let condition = Reader { scope, errors }.condition(&condition)?;

@@ -22,6 +22,10 @@ impl Reader<'_> {
 
     fn joined(&mut self, binary: &ExprBinary) -> Option<Condition> {
         if let Some(op) = comparison(&binary.op) {
+            if [&binary.left, &binary.right].into_iter().any(|side| crate::comparison::is_decided(side)) {
+                self.errors.push(binary, error::CHAINED);
+                return None;
+            }
             let (left, right) = (self.expression(&binary.left), self.expression(&binary.right));
             let (left, right) = (left?, right?);
             if [&left, &right].into_iter().any(|side| self.scope.has_residual(side)) {

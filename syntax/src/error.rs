@@ -4,13 +4,23 @@ use quote::ToTokens;
 use syn::Result;
 
 pub const ATTRIBUTE: &str = "unknown key; `#[kernel(..)]` knows family, maxima, latex, source, rules, precision, \
-                             bound, result and results";
+                             bound, certificate, result and results";
 pub const ATTRIBUTE_TWICE: &str = "this key is written twice; keep one";
 pub const TEXT: &str = "write this key as `key = \"text\"`";
 pub const PRECISION: &str = "write the precision as `precision = \"double\"`, which is meant without it, `\"double-double\"` or `\"certified\"`";
 pub const RULES: &str = "write the rules as `rules(\"one\", \"another\")`";
 pub const BOUND: &str =
     "write the bound as `bound = 4`, or for a struct `bound(field = 4, other = 6)`: ulp, not below zero";
+pub const UNCERTIFIED: &str = "this bound carries no certificate: run `closedform bound FILE.rs --write`, which proves \
+                               bounds and enters them with their certificates, or state none";
+pub const CERTIFICATE: &str = "no certificate: remove it and run `closedform bound FILE.rs --write`, which proves bounds and \
+                               enters them with their certificates";
+pub const CERTIFICATE_STALE: &str = "the kernel has changed since its bound was proved: run `closedform bound FILE.rs \
+                                     --write`, or remove bound and certificate";
+pub const CERTIFICATE_RULES: &str = "this bound was proved by the rules of another version: run `closedform bound FILE.rs \
+                                     --write`, or remove bound and certificate";
+pub const CERTIFICATE_ALONE: &str = "a certificate of no bound: remove it, or run `closedform bound FILE.rs --write`, which \
+                                     enters both";
 pub const RESULT: &str = "write a result as `result(worksheet = \"..\", unit = \"..\")`";
 pub const RESULTS: &str = "write the results as `results(field(worksheet = \"..\", unit = \"..\"), other(..))`";
 pub const FIELD_META_OF_NUMBER: &str =
@@ -47,6 +57,13 @@ pub const FIELD_TWICE: &str = "this field is given twice; keep one";
 pub const NO_FIELDS: &str = "the struct needs at least one field";
 pub const REST: &str = "name every field; `..` is not part of the kernel language";
 
+pub const NESTING: &str = "nested deeper than 256 levels: move a part of it to a `let`";
+pub const HEIGHT: &str = "more than 1024 operators in a row: move a part of them to a `let`";
+
+pub const STEPS: &str = "this is the 1025th `let`, one too many: make a part of them a kernel of its own";
+
+pub const CHAINED: &str = "a comparison compares two numbers: write `require!(0.0 < a && a < 1.0)` for `0.0 < a < 1.0`, and \
+                           `require!(a > 0.0)` for `a > 0.0 == true`";
 pub const CONDITION: &str = "not a condition: compare expressions with < <= > >= == !=, and join with && || !";
 pub const CONDITION_AS_VALUE: &str = "a condition has no value here; use it in `require!(..)` or `if .. { } else { }`";
 pub const INTEGER: &str = "kernels compute in floats: write this number with a decimal point, as in 2.0";

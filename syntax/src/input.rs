@@ -97,8 +97,12 @@ fn describe(input: &mut Input, attribute: &Attribute, errors: &mut Errors) {
     }
     for item in items(list, error::INPUT_ATTRIBUTE, errors) {
         match item.path() {
-            path if path.is_ident("maxima") => once(&mut input.maxima, text(&item, errors), path, errors),
-            path if path.is_ident("unit") => once(&mut input.unit, text(&item, errors), path, errors),
+            path if path.is_ident("maxima") => {
+                once(&mut input.maxima, text(&item, errors).map(|text| text.value()), path, errors)
+            }
+            path if path.is_ident("unit") => {
+                once(&mut input.unit, text(&item, errors).map(|text| text.value()), path, errors)
+            }
             path if path.is_ident("typical") => once(&mut input.typical, typical(&item, errors), path, errors),
             path => errors.push(path, error::INPUT_ATTRIBUTE),
         }

@@ -1,7 +1,7 @@
 //! A kernel as a tree, checked and with its names resolved.
 
 use proc_macro2::{Ident, Span};
-use syn::{Attribute, Visibility};
+use syn::{Attribute, LitStr, Visibility};
 
 /// A straight-line function: conditions on its inputs, then one `let` a step, then its results.
 #[derive(Clone, Debug)]
@@ -43,6 +43,10 @@ pub struct Meta {
     pub precision: Precision,
     /// One entry a result, in the order of the output.
     pub results: Vec<ResultMeta>,
+    /// Where bounds are stated, if any are.
+    pub bound_place: Option<Span>,
+    /// What shows that they were proved; read by [`certified`](crate::certified).
+    pub certificate: Option<LitStr>,
 }
 
 /// What the function of a kernel computes in.

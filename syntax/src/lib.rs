@@ -1,7 +1,8 @@
 //! The kernel language: the straight-line Rust function that a generator writes and `#[kernel]` reads.
 //!
 //! [`parse`] turns one function into a [`Kernel`] and checks it, [`parse_file`] does so for every kernel of a source
-//! file. Errors point at the user's tokens and are collected: one run names them all. [`evaluate`] and [`violated`]
+//! file. Errors point at the user's tokens and are collected: one run names them all. [`check_limits`] comes before, so
+//! that nothing deep ends the stack; [`certified`] comes after, so that no bound is stated that was not proved. [`evaluate`] and [`violated`]
 //! interpret a kernel; [`operations`] counts what it costs.
 //!
 //! This crate knows nothing of the runtime, which depends on it through the macro: arithmetic comes in by the trait
@@ -9,6 +10,8 @@
 
 mod attribute;
 mod body;
+mod certificate;
+mod comparison;
 mod condition;
 mod error;
 mod expression;
@@ -16,6 +19,7 @@ mod file;
 mod input;
 mod interpret;
 mod kernel;
+mod limits;
 mod operations;
 mod output;
 mod pattern;
@@ -24,12 +28,14 @@ mod scope;
 mod slice;
 mod walk;
 
-pub use file::parse_file;
+pub use certificate::{RULES, certificate, certified};
+pub use file::{Source, parse_file, sources};
 pub use interpret::{Arithmetic, Violation, evaluate, violated};
 pub use kernel::{
     BinaryOp, Comparison, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Precision, Require, ResultMeta,
     Slice,
 };
+pub use limits::{MAX_HEIGHT, MAX_NESTING, check as check_limits};
 pub use operations::{Operations, most_factors, operations, operations_of};
 pub use print::{condition_text, expression_text};
 pub use slice::{MAX_FACTORS, SliceArithmetic, fold_compensated, fold_residual};
@@ -46,7 +52,7 @@ pub const MAX_INPUTS: usize = 64;
 /// The largest degree of a `positive_root`: the runtime keeps its coefficients in a fixed array.
 pub const MAX_DEGREE: usize = 32;
 
-/// The kernel written as the function `item` under `#[kernel(attribute)]`.
+/// The kernel written as the function `item` under `#[kernel(attribute)]`, whose tokens keep the limits.
 ///
 /// # Errors
 ///

@@ -4,6 +4,7 @@
 #[path = "../src/error.rs"]
 mod error;
 
+use closedform_syntax::{Kernel, certified, parse_file};
 use std::path::{Path, PathBuf};
 
 /// The sources that each cause one message.
@@ -13,8 +14,15 @@ fn cases() -> Vec<PathBuf> {
     files.filter(|path| path.extension().is_some_and(|extension| extension == "rs")).collect()
 }
 
+/// What the macro accepts.
+fn certified_kernels(source: &str) -> syn::Result<Vec<Kernel>> {
+    let kernels = parse_file(source)?;
+    kernels.iter().try_for_each(certified)?;
+    Ok(kernels)
+}
+
 fn messages(source: &str) -> Vec<String> {
-    let error = closedform_syntax::parse_file(source).expect_err(source);
+    let error = certified_kernels(source).expect_err(source);
     error.into_iter().map(|error| error.to_string()).collect()
 }
 
@@ -22,7 +30,7 @@ fn messages(source: &str) -> Vec<String> {
 fn a_source_file_gets_the_message_and_place_that_the_macro_shows() {
     for path in cases() {
         let read = |path: &Path| std::fs::read_to_string(path).expect("readable");
-        let errors: Vec<_> = closedform_syntax::parse_file(&read(&path)).expect_err("a mistake").into_iter().collect();
+        let errors: Vec<_> = certified_kernels(&read(&path)).expect_err("a mistake").into_iter().collect();
         let [error] = &errors[..] else { panic!("{}: {errors:?}", path.display()) };
         let start = error.span().start();
         let shown = read(&path.with_extension("stderr"));

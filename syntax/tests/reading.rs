@@ -78,3 +78,22 @@ fn a_file_without_kernels_has_none() {
     assert!(parse_file("fn f() {} mod m;").expect("Rust").is_empty());
     assert!(parse_file("fn f( {}").is_err());
 }
+
+#[test]
+fn kernels_are_found_wherever_they_stand() {
+    let source = r#"#!/usr/bin/env rust
+        //! Kernels.
+        use closedform::kernel;
+        #[kernel] fn one(x: f64) -> f64 { x }
+        mod a { mod b { /** two */ #[inline] #[closedform::kernel()] pub(crate) fn two(x: f64) -> f64 { x } } }
+        fn main() { #[kernel] fn three(x: f64) -> f64 { x } }
+        impl S { fn f(&self) { if true { #[kernel] fn four(x: f64) -> f64 { x } } } }
+        kept! { #[kernel] fn five(x: f64) -> f64 { x } }
+        macro_rules! made { ($name:ident) => { #[kernel] fn $name(x: f64) -> f64 { x } } }
+        #[kernel] mod no_function {}
+        #[kernel] struct NoFunction { f: fn(f64) -> f64 }
+        #[inline] fn no_kernel(x: f64) -> f64 { "} #[kernel] fn f() {".len() as f64 }
+    "#;
+    let names: Vec<_> = parse_file(source).expect("kernels").into_iter().map(|k| k.name.to_string()).collect();
+    assert_eq!(names, ["one", "two", "three", "four", "five"]);
+}

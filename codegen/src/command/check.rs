@@ -2,8 +2,8 @@
 
 use super::generate::{kernels, worksheets};
 use super::{readme, verdicts};
-use crate::bound_proof::bound_proof;
-use crate::catalogue::Catalogue;
+use crate::bound_proof::certified_bound_proof;
+use crate::catalogue::{Catalogue, Entry};
 use crate::folder::{self, Difference};
 use crate::ledger;
 use crate::worker::{self, Source};
@@ -77,8 +77,8 @@ fn fresh(root: &Path) -> miette::Result<()> {
 /// The kernels as checked in whose text does not prove the bounds that it states.
 fn unbounded(root: &Path) -> Vec<String> {
     let Ok(catalogue) = Catalogue::load(&kernels(root)) else { return Vec::new() };
-    let refused =
-        catalogue.entries().iter().filter_map(|entry| Some((entry.full_name(), bound_proof(&entry.kernel).err()?)));
+    let proof = |entry: &Entry| Some((entry.full_name(), certified_bound_proof(&entry.kernel).err()?));
+    let refused = catalogue.entries().iter().filter_map(proof);
     refused.map(|(name, cause)| format!("bound of `{name}`, re-derived from its Rust text: {cause}")).collect()
 }
 

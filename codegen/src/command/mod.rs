@@ -1,5 +1,6 @@
 //! The commands of `closedform`.
 
+pub mod bound;
 pub mod check;
 pub mod derive;
 pub mod description;

@@ -38,6 +38,9 @@ fn beside(path: &Path, text: &str) -> std::io::Result<NamedTempFile> {
     let readable = std::fs::Permissions::from_mode(0o666); // less what the user's umask takes
     let mut file = Builder::new().prefix(".closedform").permissions(readable).tempfile_in(folder)?;
     file.write_all(text.as_bytes())?;
+    if let Ok(replaced) = std::fs::metadata(path) {
+        file.as_file().set_permissions(replaced.permissions())?;
+    }
     Ok(file)
 }
 
@@ -52,8 +55,10 @@ mod tests {
         std::fs::write(&one, "before").unwrap();
         assert_eq!(write_all(&[(&one, "after"), (&two, "")]).unwrap_err().path, two);
         assert_eq!(std::fs::read_to_string(&one).unwrap(), "before");
+        std::fs::set_permissions(&one, std::fs::Permissions::from_mode(0o640)).unwrap();
         write_all(&[(&one, "after")]).unwrap();
         assert_eq!(std::fs::read_to_string(&one).unwrap(), "after");
+        assert_eq!(std::fs::metadata(&one).unwrap().permissions().mode() & 0o777, 0o640);
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 }
