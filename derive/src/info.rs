@@ -1,6 +1,6 @@
 //! The constant `INFO`.
 
-use closedform_syntax::{Input, Kernel, Precision, ResultMeta, most_factors, operations};
+use closedform_syntax::{Input, Kernel, Precision, ResultMeta, operations, ordinary};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -22,7 +22,7 @@ pub fn info(kernel: &Kernel) -> TokenStream {
         Precision::DoubleDouble => quote!(DoubleDouble),
     };
     let operations = operations_literal(kernel);
-    let factors = most_factors(kernel);
+    let ordinary = ordinary(kernel);
     quote! {
         ::closedform::Info {
             name: #name,
@@ -37,7 +37,7 @@ pub fn info(kernel: &Kernel) -> TokenStream {
             rules: &[#(#rules),*],
             precision: ::closedform::Precision::#precision,
             operations: #operations,
-            factors: #factors,
+            ordinary: #ordinary,
         }
     }
 }

@@ -5,7 +5,7 @@
 
 use core::cmp::Ordering;
 
-use crate::exact;
+use crate::exact::{self, Operand};
 use crate::float;
 use crate::real::Real;
 use crate::root;
@@ -174,6 +174,12 @@ impl Soft {
         Soft { exponent: -127, ..self }
     }
 
+    /// Rounded to 53 bits; `None` unless it is a number.
+    fn operand(self) -> Option<Operand> {
+        let operand = Operand::of(self.scaled().to_f64())?;
+        Some(Operand { exponent: operand.exponent + self.leading(), ..operand })
+    }
+
     fn negated(self) -> Self {
         Soft { negative: !self.negative, ..self }
     }
@@ -324,9 +330,10 @@ impl Real for Soft {
         left.times(*right)
     }
 
-    /// Exact, but for the bits that are cut off; every operand is an `f64`.
-    fn compensated(_: &Self, _: f64, operands: &[&Self], terms: &[u8]) -> Self {
-        exact::polynomial(operands, |operand| operand.to_f64(), terms)
+    /// Exact, but for the bits that are cut off; of operands the first 53 bits count, as in `f64`, with any exponent. Where
+    /// terms lie too far apart to be summed exactly, right to 2^-120 of the largest.
+    fn compensated(wide: &Self, _: f64, operands: &[&Self], terms: &[u8]) -> Self {
+        exact::polynomial(operands, |operand| operand.operand(), terms).unwrap_or(*wide)
     }
 
     fn residual(wide: &Self) -> Self {
@@ -404,6 +411,28 @@ mod tests {
         assert_eq!(huge.div(&tower).to_f64(), 0.0);
         let back = (0..40).fold(tower, |power, _| Real::sqrt(&power));
         assert_eq!(back.to_f64(), f64::MAX);
+    }
+
+    #[test]
+    fn slices_of_numbers_beyond_f64_are_exact() {
+        let number = |significand: u64, exponent| Soft::new(false, significand.into(), exponent, false);
+        let one = |exponent| number(1, exponent);
+        // `x*y - z*w`
+        let terms = &[2, 0, 1, 0x82, 2, 3];
+        let difference = |x, y, z, w| Soft::compensated(&Soft::NAN, 0.0, &[&x, &y, &z, &w], terms);
+        let next = (1 << 52) + 1;
+        for exponent in [-9_000, -2_000, 0, 2_000, 9_000] {
+            let cancelling = difference(number(next, exponent), number(next, -52), number(next + 1, exponent), one(0));
+            assert_eq!(cancelling, one(exponent - 52), "2^{exponent}");
+            let product = number(next, exponent);
+            assert_eq!(difference(product, one(100), product, one(100)), Soft::ZERO, "2^{exponent}");
+        }
+        // farther apart than any products of f64: what the large terms leave, and nothing else where they leave something
+        let terms = &[1, 0, 0x81, 1, 1, 2];
+        let sum = |x, y, z| Soft::compensated(&Soft::NAN, 0.0, &[&x, &y, &z], terms);
+        assert_eq!(sum(one(90_000), one(90_000), one(-90_000)), one(-90_000));
+        assert_eq!(sum(one(90_001), one(90_000), one(-90_000)), one(90_000));
+        assert_eq!(sum(one(90_000), one(90_001), one(-90_000)), one(90_000).negated());
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! [`parse`] turns one function into a [`Kernel`] and checks it, [`parse_file`] does so for every kernel of a source
 //! file. Errors point at the user's tokens and are collected: one run names them all. [`evaluate`] and [`violated`]
-//! interpret a kernel; [`operations`] counts what it costs.
+//! interpret a kernel; [`operations`] counts what it costs, [`ordinary`] tells at which inputs nothing over- or underflows.
 //!
 //! This crate knows nothing of the runtime, which depends on it through the macro: arithmetic comes in by the trait
 //! [`Arithmetic`].
@@ -16,6 +16,7 @@ mod file;
 mod input;
 mod interpret;
 mod kernel;
+mod magnitude;
 mod operations;
 mod output;
 mod pattern;
@@ -29,7 +30,8 @@ pub use kernel::{
     BinaryOp, Comparison, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Precision, Require, ResultMeta,
     Slice,
 };
-pub use operations::{Operations, most_factors, operations, operations_of};
+pub use magnitude::{ROOT_EXPONENT, ordinary};
+pub use operations::{Operations, operations, operations_of};
 pub use print::{condition_text, expression_text};
 pub use slice::{MAX_FACTORS, SliceArithmetic, fold_compensated, fold_residual};
 

@@ -176,11 +176,7 @@ fn print_docs(text: &mut String, kernel: &KernelText) {
 
 fn bound_line(kernel: &KernelText, result: &ResultText) -> String {
     let what = if kernel.results.len() == 1 { String::new() } else { format!("`{}`: ", result.name) };
-    let of = match kernel.precision {
-        Precision::Double => "",
-        Precision::DoubleDouble => " of the result",
-    };
-    format!("- {what}at most {} ulp, barring overflow and underflow{of}", result.bound)
+    format!("- {what}at most {} ulp, barring overflow and underflow of the result", result.bound)
 }
 
 fn print_attribute(text: &mut String, family: &str, kernel: &KernelText) {
