@@ -1,7 +1,7 @@
 //! What `#[kernel]` emits, called in every shape.
 
 use closedform::__private::{Rounded, Steps, decide};
-use closedform::{CallError, LengthError, Mpfr, RangeReason, Real, ValueError, kernel};
+use closedform::{CallError, LengthError, Mpfr, Real, ValueError, kernel};
 use closedform_syntax::{Kernel, Violation};
 
 closedform_syntax::real_arithmetic! {
@@ -70,12 +70,6 @@ source! {
         require!(compensated!(a * b - 1.0) != 0.0 && (a - b) * (a + b) > 0.0);
         let root = sqrt(a * a + b * b);
         a * root / compensated!(a * b - 1.0)
-    }
-
-    /// Its square may leave the range where it does not.
-    #[kernel]
-    pub fn quotient(a: f64, b: f64) -> f64 {
-        a / (b * b)
     }
 
     /// Names that the expansion uses itself.
@@ -261,47 +255,6 @@ fn agree(read: &Kernel, inputs: &[f64], compiled: &closedform::Kernel) {
 }
 
 #[test]
-fn checked_never_returns_what_is_no_number() {
-    let numbers = [samples(300), extremes(3000)].concat();
-    let mut lost = 0;
-    for window in numbers.windows(2) {
-        let (mut results, mut plain) = ([0.0], [0.0]);
-        slices::KERNEL.eval(window, &mut plain).unwrap();
-        match slices::KERNEL.checked(window, &mut results) {
-            Ok(()) => assert!(results[0].is_finite() && same(results[0], plain[0]), "{window:?}: {results:?}"),
-            Err(CallError::Range(error)) => {
-                assert!(same(error.rounded(), plain[0]), "{error}");
-                lost += 1;
-            }
-            Err(_) => assert!(plain[0].is_nan()),
-        }
-    }
-    assert!(lost > 100, "{lost}");
-}
-
-#[test]
-fn a_result_that_f64_cannot_hold_is_named() {
-    let reason = |a: f64, b: f64| match quotient::checked(a, b) {
-        Err(ValueError::Range(error)) => Some((error.result(), error.reason())),
-        Err(other) => panic!("{other}"),
-        Ok(_) => None,
-    };
-    assert_eq!(reason(1e200, 1e-200), Some(("quotient", RangeReason::Overflow)));
-    assert_eq!(reason(1e-200, 1e200), Some(("quotient", RangeReason::Underflow)));
-    assert_eq!(reason(1.0, 0.0), Some(("quotient", RangeReason::Undefined)));
-    assert_eq!(reason(0.0, 1e-163), None);
-    assert_eq!(quotient::checked(0.0, 1e-163), Ok(0.0));
-    assert_eq!(quotient(1e200, 1e-200), f64::INFINITY);
-    assert_eq!(quotient(1e-200, 1e200), 0.0);
-    assert!(quotient(1.0, 0.0).is_nan() && quotient::faithful(1.0, 0.0).is_nan());
-    let text = quotient::checked(1e200, 1e-200).unwrap_err().to_string();
-    let expected =
-        "quotient: the result `quotient` is beyond the largest f64 for a = 1e200, b = 1e-200; take other units";
-    assert_eq!(text, expected);
-    assert!(quotient::checked(1.0, 0.0).unwrap_err().to_string().ends_with("exclude such inputs by a `require!`"));
-}
-
-#[test]
 fn the_program_runs_in_mpfr() {
     let precise = |value| Mpfr::new(200, value);
     let [sum] = slices::evaluate(&[precise(0.1), precise(0.3)]);
@@ -368,7 +321,7 @@ fn info_tells_what_was_written() {
     assert_eq!((info.results[0].name, info.results[0].worksheet, info.results[0].unit), ("t_in", "tInFn", "s"));
     let operations = closedform::Operations { add: 3, mul: 2, div: 1, sqrt: 1, compensated: 4, root: 0 };
     assert_eq!(info.operations, operations);
-    assert_eq!((info.ordinary, quotient::INFO.ordinary), (237, 340));
+    assert_eq!((info.ordinary, slices::INFO.ordinary), (237, 237));
     assert_eq!(slices::INFO.name, "slices");
 }
 
@@ -432,5 +385,4 @@ fn a_kernel_may_be_private_to_its_parent_or_local_to_a_function() {
 fn the_parser_knows_the_limits_of_the_runtime() {
     assert_eq!(closedform_syntax::MAX_INPUTS, closedform::MAX_INPUTS);
     assert_eq!(closedform_syntax::MAX_DEGREE, closedform::MAX_DEGREE);
-    assert_eq!(closedform_syntax::ROOT_EXPONENT, closedform::__private::ROOT_EXPONENT);
 }

@@ -165,7 +165,6 @@ impl<'a, const WATCHED: bool> Real for Guarded<'a, WATCHED> {
     /// To the digits of `f64`: the iterate, which a `residual!` corrects.
     fn positive_root(&self, coefficients: &[Self]) -> Self {
         let root = root::root_of(coefficients, |coefficient| coefficient.value.round());
-        self.left.set(self.left.get() | !(WATCHED | root::is_ordinary(root)));
         self.with(root.into()).in_range(false)
     }
 

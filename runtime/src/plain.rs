@@ -179,11 +179,9 @@ impl<'a, const WATCHED: bool> Real for Plain<'a, WATCHED> {
         self.value.is_finite()
     }
 
-    /// Magnitudes do not tell what the root is; it is so dear that the test costs nothing.
     fn positive_root(&self, coefficients: &[Self]) -> Self {
         let root = root::root_of(coefficients, |coefficient| coefficient.value);
-        let fine = if WATCHED { root.is_normal() } else { root::is_ordinary(root) };
-        self.if_fine(root, fine)
+        self.if_fine(root, root.is_normal())
     }
 
     #[inline(always)]

@@ -25,17 +25,6 @@ pub const MAX_DEGREE: usize = 16;
 
 const MAX_TERMS: usize = MAX_DEGREE + 1;
 
-/// The k of: a root lies between 2^-k and 2^k where an arithmetic does not watch its steps. `closedform-syntax` counts on
-/// it.
-pub const ROOT_EXPONENT: u32 = 100;
-
-/// Whether a root lies between these magnitudes.
-#[inline(always)]
-pub(crate) fn is_ordinary(root: f64) -> bool {
-    const EXPONENT: u64 = ROOT_EXPONENT as u64;
-    (root >= f64::from_bits((1023 - EXPONENT) << 52)) & (root <= f64::from_bits((1023 + EXPONENT) << 52))
-}
-
 /// The one positive root of c0 + c1 x + .. + cn x^n, `coefficients` being c0 to cn.
 ///
 /// Coefficients other than zero must change sign once, from negative (low powers) to positive (high). NaN when they do

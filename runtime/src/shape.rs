@@ -1,7 +1,7 @@
 //! The shapes of a call that are the same for every program: plain, checked, faithful, single precision, batch row.
 //!
-//! A plain call has a quick way, which tests little and has no branch, so that batch loops vectorise. Where it is in doubt
-//! the row is [decided](tier) from the beginning, in one arithmetic after another.
+//! A call has a quick way, which tests little and has no branch, so that batch loops vectorise. Where it is in doubt the row
+//! is [decided](tier) from the beginning, in one arithmetic after another. A kernel without ordinary inputs has no quick way.
 
 use core::cell::Cell;
 use core::marker::PhantomData;
@@ -31,6 +31,9 @@ pub fn quick<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize
     inputs: &[f64; N],
     doubt: &Cell<u64>,
 ) -> [f64; M] {
+    if P::INFO.ordinary == 0 {
+        return values(answer::<P, N, K, M>(inputs));
+    }
     let (results, domain) = unless_in_doubt::<P, N, K, M>(inputs, doubt);
     where_inside(results, domain)
 }
@@ -94,7 +97,7 @@ fn ordinary<const N: usize>(info: &Info, inputs: &[f64; N]) -> bool {
     let exponent = u64::from(info.ordinary);
     let (least, most) = (f64::from_bits((1023 - exponent) << 52), f64::from_bits((1023 + exponent) << 52));
     let ordinary = |input: &f64| (*input == 0.0) | ((input.abs() >= least) & (input.abs() <= most));
-    inputs.iter().fold(exponent > 0, |all, input| all & ordinary(input))
+    inputs.iter().fold(true, |all, input| all & ordinary(input))
 }
 
 #[inline(always)]
@@ -157,6 +160,9 @@ fn values<const M: usize>(answer: Result<[Rounded; M], &'static str>) -> [f64; M
 
 /// The results with an error of less than one ulp; NaN outside the domain.
 pub fn faithful<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
+    if P::INFO.ordinary == 0 {
+        return values(faithful_answer::<P, N, K, M>(inputs));
+    }
     let doubt = Cell::new(0);
     let (results, domain) = in_double_double::<P, N, K, M>(inputs, &doubt);
     if doubt.get() != 0 {
@@ -179,6 +185,9 @@ fn faithful_answer<P: Program<N, K, M>, const N: usize, const K: usize, const M:
 pub fn checked<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
 ) -> Result<[f64; M], ValueError> {
+    if P::INFO.ordinary == 0 {
+        return checked_when_decided::<P, N, K, M>(inputs);
+    }
     let doubt = Cell::new(0);
     let (results, domain) = unless_in_doubt::<P, N, K, M>(inputs, &doubt);
     if doubt.get() != 0 {

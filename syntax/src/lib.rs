@@ -30,7 +30,7 @@ pub use kernel::{
     BinaryOp, Comparison, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Precision, Require, ResultMeta,
     Slice,
 };
-pub use magnitude::{ROOT_EXPONENT, ordinary};
+pub use magnitude::ordinary;
 pub use operations::{Operations, operations, operations_of};
 pub use print::{condition_text, expression_text};
 pub use slice::{MAX_FACTORS, SliceArithmetic, fold_compensated, fold_residual};
