@@ -4,7 +4,7 @@
 //! domain, or are exact, and counts roundings. It shares no code with the generator.
 //!
 //! **What is proved.** With u = 2^-53, a value of count k is the exact one times a factor between (1-u)^k and
-//! (1-u)^-k, for all inputs of the domain at which nothing overflows or underflows.
+//! (1-u)^-k, for all inputs of the domain: the runtime leaves what over- or underflows in `f64` to a finer arithmetic.
 //! This is Stewart's and Higham's relative error counter, and it has no terms of higher order to neglect: a rounding adds
 //! 1, products and quotients add the counts of their operands, a square root halves it, and a sum of terms of one sign has
 //! the larger one. What remains is to read it as a relative error: it is at most k u/(1 - k u), k units for all that can

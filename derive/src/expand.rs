@@ -149,14 +149,14 @@ impl<'a> Parts<'a> {
         let returned = self.returned(&quote!(super::));
         let output = self.output(&quote!(super::));
         quote! {
-            /// The value, or the condition that the inputs violate.
+            /// The value, or why there is none.
             ///
             /// # Errors
             ///
-            /// Outside the domain.
+            /// Outside the domain, and where a result is too large or too small for `f64`.
             pub fn checked(
                 #(#inputs: f64),*
-            ) -> ::core::result::Result<#returned, ::closedform::DomainError> {
+            ) -> ::core::result::Result<#returned, ::closedform::ValueError> {
                 let [#(#results),*] = ::closedform::__private::checked::<Program, #sizes>(&[#(#inputs),*])?;
                 ::core::result::Result::Ok(#output)
             }
@@ -201,12 +201,12 @@ impl<'a> Parts<'a> {
                 #(#results: &mut [f64]),*
             ) -> ::core::result::Result<(), ::closedform::LengthError> {
                 #checks
-                let #doubt = ::core::cell::Cell::new(false);
+                let #doubt = ::core::cell::Cell::new(0);
                 #first {
                     let [#(#values),*] = ::closedform::__private::quick::<Program, #sizes>(&[#(*#inputs),*], &#doubt);
                     #(*#results = #values;)*
                 }
-                if #doubt.get() {
+                if #doubt.get() != 0 {
                     #again {
                         let [#(#values),*] = ::closedform::__private::value::<Program, #sizes>(&[#(*#inputs),*]);
                         #(*#results = #values;)*

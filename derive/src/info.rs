@@ -1,6 +1,6 @@
 //! The constant `INFO`.
 
-use closedform_syntax::{Input, Kernel, Precision, ResultMeta, most_factors, operations};
+use closedform_syntax::{Input, Kernel, Precision, ResultMeta, operations, ordinary};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::ext::IdentExt;
@@ -24,7 +24,7 @@ pub fn info(kernel: &Kernel) -> TokenStream {
         Precision::Certified => quote!(Certified),
     };
     let operations = operations_literal(kernel);
-    let factors = most_factors(kernel);
+    let ordinary = ordinary(kernel);
     quote! {
         ::closedform::Info {
             name: #name,
@@ -39,7 +39,7 @@ pub fn info(kernel: &Kernel) -> TokenStream {
             rules: &[#(#rules),*],
             precision: ::closedform::Precision::#precision,
             operations: #operations,
-            factors: #factors,
+            ordinary: #ordinary,
         }
     }
 }

@@ -1,12 +1,12 @@
-//! The arithmetic of compiled kernels: `Real` for `f64`.
+//! The arithmetic of `evaluate` in `f64`, and of the rounding errors that judges look at: `Real` for `f64`.
 
-use crate::exact;
+use crate::exact::{self, Operand};
 use crate::float;
 use crate::measured::Measured;
 use crate::real::Real;
 use crate::root;
+use crate::soft::Soft;
 
-// Every method is forced inline: a batch loop vectorises only when its whole body is in sight.
 impl Real for f64 {
     type Wide = Measured;
 
@@ -107,14 +107,14 @@ impl Real for f64 {
     #[inline(always)]
     fn compensated(wide: &Measured, threshold: f64, operands: &[&Self], terms: &[u8]) -> Self {
         if wide.settled(threshold) {
-            wide.value().round()
+            wide.round()
         } else {
-            exact::polynomial(operands, |operand| *operand, terms).to_f64()
+            exact::polynomial(operands, |operand| Operand::of(*operand), terms).map_or(f64::NAN, Soft::to_f64)
         }
     }
 
     #[inline(always)]
     fn residual(wide: &Measured) -> Self {
-        wide.value().round()
+        wide.round()
     }
 }

@@ -1,9 +1,10 @@
-//! Polynomials of `f64` operands, exactly: a sum of products as one long integer.
+//! Polynomials of operands with 53 bits, exactly: a sum of products as one long integer.
 //!
 //! Every finite `f64` is an integer times a power of two, hence so is every product of them, and a sum of such products
-//! is one integer in units of the least power. It fits in a fixed number of words for every finite operand, so nothing
-//! over- or underflows, nothing is rounded, and nothing allocates. It is slow, and meant for the rare point at which a
-//! polynomial cancels so far that double-double cannot tell its digits.
+//! is one integer in units of the least power. It fits in a fixed number of words for every finite `f64`, so nothing
+//! over- or underflows, nothing is rounded, and nothing allocates. Operands with other exponents may lie farther apart:
+//! then the terms that are near the largest are summed, and the rest only where these cancel to zero. It is slow, and
+//! meant for the rare point at which a polynomial cancels so far that double-double cannot tell its digits.
 
 use crate::float;
 use crate::soft::Soft;
@@ -12,7 +13,7 @@ use crate::soft::Soft;
 pub(crate) const MAX_FACTORS: usize = 16;
 
 /// Bits of a significand.
-const SIGNIFICAND: i32 = f64::MANTISSA_DIGITS as i32;
+const SIGNIFICAND: i64 = f64::MANTISSA_DIGITS as i64;
 
 /// Words of a product of significands.
 const PRODUCT_WORDS: usize = MAX_FACTORS * SIGNIFICAND as usize / 64 + 1;
@@ -23,39 +24,94 @@ const LONGEST: usize = MAX_FACTORS * 2098 / 64 + 3;
 /// Words that most sums need: those whose terms are of similar size.
 const SHORT: usize = 32;
 
-/// A sum of products: `terms` one after another, each a head byte, the number of its factors with the high bit set where
-/// the product is subtracted, and then the positions of its factors among `operands`.
-///
-/// NaN unless all operands, as `value` reads them, are finite.
-#[cold]
-#[inline(never)]
-pub(crate) fn polynomial<T>(operands: &[&T], value: fn(&T) -> f64, terms: &[u8]) -> Soft {
-    if !operands.iter().all(|operand| value(operand).is_finite()) {
-        return Soft::NAN;
-    }
-    let factor = |position: u8| operands.get(usize::from(position)).map(|operand| value(operand));
-    let spans = || Terms(terms).filter_map(|(_, factors)| span(&factor, factors));
-    let Some(lowest) = spans().map(|(low, _)| low).min() else { return Soft::ZERO };
-    let highest = spans().map(|(_, high)| high).max().unwrap_or(lowest);
-    let used = (highest - lowest) as usize / 64 + 3;
-    if used <= SHORT {
-        Sum([0; SHORT]).of(&factor, terms, lowest, used)
-    } else {
-        Sum([0; LONGEST]).of(&factor, terms, lowest, used)
+/// How many bits below the unit of a sum other terms leave its first 128 alone: those, and carries of 2^14 terms.
+const GAP: i64 = 128 + 14;
+
+/// An operand: an integer times a power of two.
+#[derive(Clone, Copy)]
+pub(crate) struct Operand {
+    pub(crate) negative: bool,
+    /// At most 53 bits.
+    pub(crate) significand: u64,
+    pub(crate) exponent: i64,
+}
+
+impl Operand {
+    /// `None` unless finite.
+    pub(crate) fn of(value: f64) -> Option<Self> {
+        let (significand, exponent) = float::significand(value);
+        let exponent = exponent.into();
+        value.is_finite().then_some(Operand { negative: value < 0.0, significand, exponent })
     }
 }
 
+/// A sum of products: `terms` one after another, each a head byte, the number of its factors with the high bit set where
+/// the product is subtracted, and then the positions of its factors among `operands`.
+///
+/// `None` unless all operands, as `read` reads them, are numbers, and where terms lie so far apart that their sum is
+/// longer than any of `f64`.
+#[cold]
+#[inline(never)]
+pub(crate) fn polynomial<T>(operands: &[&T], read: fn(&T) -> Option<Operand>, terms: &[u8]) -> Option<Soft> {
+    if operands.iter().any(|operand| read(operand).is_none()) {
+        return None;
+    }
+    let factor = |position: u8| operands.get(usize::from(position)).and_then(|operand| read(operand));
+    let mut below = i64::MAX;
+    loop {
+        let spans = || Terms(terms).filter_map(|(_, factors)| span(&factor, factors)).filter(|(_, high)| *high < below);
+        let Some(highest) = spans().map(|(_, high)| high).max() else { return Some(Soft::ZERO) };
+        let all = spans().map(|(low, _)| low).min().unwrap_or(highest);
+        let fits = |lowest: i64| usize::try_from((highest - lowest) / 64 + 3).ok().filter(|used| *used <= LONGEST);
+        let (lowest, used) = match fits(all) {
+            Some(used) => (all, used),
+            None => {
+                let near = bottom(spans, highest);
+                (near, fits(near)?)
+            }
+        };
+        let near = Near { lowest, below };
+        let sum = if used <= SHORT {
+            Sum([0; SHORT]).of(&factor, terms, near, used)
+        } else {
+            Sum([0; LONGEST]).of(&factor, terms, near, used)
+        };
+        if !sum.is_zero() {
+            return Some(sum);
+        }
+        below = lowest;
+    }
+}
+
+/// The least exponent of the terms that lie one after another without a gap, from the highest on.
+fn bottom<S: Iterator<Item = (i64, i64)>>(spans: impl Fn() -> S, highest: i64) -> i64 {
+    let mut bottom = highest;
+    while let Some(lower) =
+        spans().filter(|(low, high)| *low < bottom && high + GAP >= bottom).map(|(low, _)| low).min()
+    {
+        bottom = lower;
+    }
+    bottom
+}
+
+/// The terms that are summed: those whose bits lie from `lowest` on, and below the power of two `below`.
+#[derive(Clone, Copy)]
+struct Near {
+    lowest: i64,
+    below: i64,
+}
+
 /// The exponents of the unit of a product and of a power of two above it; `None` for zero.
-fn span(factor: &impl Fn(u8) -> Option<f64>, factors: &[u8]) -> Option<(i32, i32)> {
-    let mut low = 0;
+fn span(factor: &impl Fn(u8) -> Option<Operand>, factors: &[u8]) -> Option<(i64, i64)> {
+    let mut low = 0_i64;
     for &position in factors {
-        let (significand, exponent) = float::significand(factor(position)?);
-        if significand == 0 {
+        let operand = factor(position)?;
+        if operand.significand == 0 {
             return None;
         }
-        low += exponent;
+        low = low.saturating_add(operand.exponent);
     }
-    Some((low, low + SIGNIFICAND * factors.len() as i32))
+    Some((low, low.saturating_add(SIGNIFICAND * factors.len() as i64)))
 }
 
 /// The terms, each its sign and the positions of its factors.
@@ -78,22 +134,21 @@ struct Product {
     words: [u64; PRODUCT_WORDS],
     /// How many words are not zero, the low ones.
     used: usize,
-    exponent: i32,
+    exponent: i64,
 }
 
 impl Product {
     /// `None` for zero.
-    fn of(factor: &impl Fn(u8) -> Option<f64>, negative: bool, factors: &[u8]) -> Option<Self> {
+    fn of(factor: &impl Fn(u8) -> Option<Operand>, negative: bool, factors: &[u8]) -> Option<Self> {
         let mut product = Product { negative, words: [0; PRODUCT_WORDS], used: 1, exponent: 0 };
         *product.words.first_mut()? = 1;
         for &position in factors {
-            let operand = factor(position)?;
-            let (significand, exponent) = float::significand(operand);
+            let Operand { negative, significand, exponent } = factor(position)?;
             if significand == 0 {
                 return None;
             }
-            product.negative ^= operand < 0.0;
-            product.exponent += exponent;
+            product.negative ^= negative;
+            product.exponent = product.exponent.saturating_add(exponent);
             let mut carry = 0;
             for word in product.words.iter_mut().take(product.used) {
                 let wide = u128::from(*word) * u128::from(significand) + u128::from(carry);
@@ -113,15 +168,18 @@ impl Product {
 struct Sum<const WORDS: usize>([u64; WORDS]);
 
 impl<const WORDS: usize> Sum<WORDS> {
-    /// The sum of all terms in the low `used` words; `lowest` is the exponent of the unit.
-    fn of(mut self, factor: &impl Fn(u8) -> Option<f64>, terms: &[u8], lowest: i32, used: usize) -> Soft {
-        let products = Terms(terms).filter_map(|(negative, factors)| Product::of(factor, negative, factors));
+    /// The sum of the terms that are near each other, in the low `used` words.
+    fn of(mut self, factor: &impl Fn(u8) -> Option<Operand>, terms: &[u8], near: Near, used: usize) -> Soft {
+        let Near { lowest, below } = near;
+        let here = |(low, high)| low >= lowest && high < below;
+        let terms = Terms(terms).filter(|(_, factors)| span(factor, factors).is_some_and(here));
+        let products = terms.filter_map(|(negative, factors)| Product::of(factor, negative, factors));
         products.for_each(|product| self.add(&product, product.exponent - lowest, used));
         self.leading(lowest, used)
     }
 
     /// Adds a product, shifted up.
-    fn add(&mut self, product: &Product, shift: i32, used: usize) {
+    fn add(&mut self, product: &Product, shift: i64, used: usize) {
         let (skip, bits) = ((shift / 64) as usize, (shift % 64) as u32);
         let (mut below, mut carry) = (0_u64, false);
         let mut step = |word: &mut u64, next: u64| {
@@ -146,7 +204,7 @@ impl<const WORDS: usize> Sum<WORDS> {
     }
 
     /// The leading bits.
-    fn leading(&mut self, lowest: i32, used: usize) -> Soft {
+    fn leading(&mut self, lowest: i64, used: usize) -> Soft {
         let negative = self.0.get(used.saturating_sub(1)).is_some_and(|word| word >> 63 != 0);
         let mut carry = negative;
         for word in self.0.iter_mut().take(used).filter(|_| negative) {
@@ -159,8 +217,8 @@ impl<const WORDS: usize> Sum<WORDS> {
         let below = u128::from(word(2)) << space;
         let bits = upper << space | below >> 64;
         let cut = below as u64 != 0 || self.0.iter().take(top.saturating_sub(2)).any(|word| *word != 0);
-        let exponent = lowest + 64 * (top as i32 - 1) - space as i32;
-        Soft::new(negative, bits, exponent.into(), cut)
+        let exponent = lowest + 64 * (top as i64 - 1) - i64::from(space);
+        Soft::new(negative, bits, exponent, cut)
     }
 }
 
@@ -172,7 +230,8 @@ mod tests {
     const DIFFERENCE: &[u8] = &[2, 0, 1, 0x82, 2, 3];
 
     fn sum(operands: &[f64], terms: &[u8]) -> f64 {
-        polynomial(&operands.iter().collect::<std::vec::Vec<_>>(), |operand| *operand, terms).to_f64()
+        let operands = operands.iter().collect::<std::vec::Vec<_>>();
+        polynomial(&operands, |operand| Operand::of(*operand), terms).map_or(f64::NAN, Soft::to_f64)
     }
 
     fn difference(operands: [f64; 4]) -> f64 {

@@ -1,5 +1,11 @@
 //! The one door to float functions that `core` lacks.
 
+#[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
+compile_error!(
+    "closedform needs IEEE 754 arithmetic: the x87 unit of this target rounds twice, which breaks every error-free sum and \
+     product. Build for a target with SSE2, such as i686-unknown-linux-gnu, or with `-C target-feature=+sse2`"
+);
+
 /// The square root, correctly rounded.
 #[inline(always)]
 pub(crate) fn sqrt(x: f64) -> f64 {
@@ -12,7 +18,7 @@ pub(crate) fn sqrt(x: f64) -> f64 {
 /// What rounding `a * b` to `product` lost.
 ///
 /// The two ways return the same bits unless the split overflows (an operand beyond 2^996) or the error underflows (a
-/// product below 2^-969).
+/// product below 2^-969): `Wide::error_free` tells.
 #[inline(always)]
 pub(crate) fn product_error(a: f64, b: f64, product: f64) -> f64 {
     #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
@@ -63,6 +69,7 @@ pub(crate) fn scale(x: f64, n: i32) -> f64 {
 #[cfg(all(test, feature = "std"))]
 mod tests {
     use super::dekker_error;
+    use crate::wide::Wide;
 
     #[test]
     fn the_split_finds_what_a_fused_multiply_add_finds() {
@@ -76,5 +83,27 @@ mod tests {
             let product = a * b;
             assert_eq!(dekker_error(a, b, product), a.mul_add(b, -product), "{a:e} * {b:e}");
         }
+    }
+
+    #[test]
+    fn both_ways_agree_wherever_a_product_is_error_free() {
+        let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut random = || {
+            bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            bits ^ bits >> 29
+        };
+        let mut number = |field: u64| f64::from_bits(random() & !(0x7ff << 52) | field << 52);
+        // the exponents of zero, subnormal numbers, and the edges of factors and products among them
+        let fields = || [0, 1, 2, 53, 54, 55, 1021, 1022, 1023, 1500, 2018, 2019, 2020, 2045, 2046].into_iter();
+        let pairs = fields().flat_map(|a| (0..2047).flat_map(move |b| (0..4).map(move |_| (a, b))));
+        let (mut same, mut different) = (0, 0);
+        for (a, b) in pairs {
+            let (a, b) = (number(a), number(b));
+            let product = a * b;
+            let agree = dekker_error(a, b, product) == a.mul_add(b, -product);
+            assert!(agree || !Wide::error_free(a, b), "{a:e} * {b:e}");
+            *(if agree { &mut same } else { &mut different }) += 1;
+        }
+        assert!(same > 10_000 && different > 10_000, "{same} {different}");
     }
 }

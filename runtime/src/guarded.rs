@@ -7,15 +7,19 @@
 use core::cell::Cell;
 use core::cmp::Ordering;
 
-use crate::exact;
+use crate::exact::{self, Operand};
 use crate::measured::Measured;
 use crate::real::Real;
 use crate::root;
-use crate::wide::Wide;
+use crate::soft::Soft;
+use crate::wide::{LARGEST_FACTOR, Wide};
 
 /// A number in double-double; `left` is raised when a step leaves the range.
+///
+/// Not `WATCHED`, it is for inputs of the kernel's ordinary magnitudes, at which the products inside slices are
+/// error-free. `WATCHED`, it is for all finite inputs: a slice in which one may not be is summed exactly.
 #[derive(Clone, Copy)]
-pub struct Guarded<'a> {
+pub struct Guarded<'a, const WATCHED: bool> {
     value: Wide,
     left: &'a Cell<bool>,
 }
@@ -23,7 +27,7 @@ pub struct Guarded<'a> {
 /// Between these magnitudes, 2^-450 and 2^450, a step of numbers in range loses no digits.
 const RANGE: (f64, f64) = (f64::from_bits((1023 - 450) << 52), f64::from_bits((1023 + 450) << 52));
 
-impl<'a> Guarded<'a> {
+impl<'a, const WATCHED: bool> Guarded<'a, WATCHED> {
     /// Exact.
     #[inline(always)]
     pub fn new(value: f64, left: &'a Cell<bool>) -> Self {
@@ -56,14 +60,14 @@ impl<'a> Guarded<'a> {
     }
 }
 
-impl PartialEq for Guarded<'_> {
+impl<const WATCHED: bool> PartialEq for Guarded<'_, WATCHED> {
     #[inline(always)]
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }
 }
 
-impl PartialOrd for Guarded<'_> {
+impl<const WATCHED: bool> PartialOrd for Guarded<'_, WATCHED> {
     #[inline(always)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         let order = self.value.round().partial_cmp(&other.value.round())?;
@@ -73,28 +77,36 @@ impl PartialOrd for Guarded<'_> {
 
 /// A slice, and where to raise what it leaves.
 #[derive(Clone, Copy)]
-pub struct GuardedWide<'a> {
+pub struct GuardedWide<'a, const WATCHED: bool> {
     wide: Measured,
     left: &'a Cell<bool>,
 }
 
-impl<'a> GuardedWide<'a> {
+impl<'a, const WATCHED: bool> GuardedWide<'a, WATCHED> {
     #[inline(always)]
     fn with(&self, wide: Measured) -> Self {
         GuardedWide { wide, left: self.left }
     }
 
+    /// A product of numbers with these leading parts.
     #[inline(always)]
-    fn value(&self) -> Guarded<'a> {
+    fn product(wide: Measured, a: f64, b: f64, left: &'a Cell<bool>) -> Self {
+        GuardedWide { wide: if WATCHED { wide.watched(a, b) } else { wide }, left }
+    }
+
+    #[inline(always)]
+    fn value(&self) -> Guarded<'a, WATCHED> {
         Guarded { value: self.wide.value(), left: self.left }
     }
 }
 
-impl<'a> Real for Guarded<'a> {
-    type Wide = GuardedWide<'a>;
+impl<'a, const WATCHED: bool> Real for Guarded<'a, WATCHED> {
+    type Wide = GuardedWide<'a, WATCHED>;
 
+    /// One that cannot be split as a factor leaves the range; a smaller one only makes its product leave it.
     #[inline(always)]
     fn literal(&self, value: f64) -> Self {
+        self.left.set(self.left.get() | (value.abs() > LARGEST_FACTOR));
         self.with(value.into())
     }
 
@@ -106,7 +118,7 @@ impl<'a> Real for Guarded<'a> {
 
     #[inline(always)]
     fn nan(&self) -> Self {
-        self.with(f64::NAN.into())
+        self.with(f64::NAN.into()).in_range(false)
     }
 
     #[inline(always)]
@@ -134,9 +146,10 @@ impl<'a> Real for Guarded<'a> {
         self.with(-self.value)
     }
 
+    /// Of a negative number it is NaN, which leaves the range.
     #[inline(always)]
     fn sqrt(&self) -> Self {
-        self.with(self.value.sqrt())
+        self.with(self.value.sqrt()).in_range(true)
     }
 
     #[inline(always)]
@@ -151,50 +164,54 @@ impl<'a> Real for Guarded<'a> {
 
     /// To the digits of `f64`: the iterate, which a `residual!` corrects.
     fn positive_root(&self, coefficients: &[Self]) -> Self {
-        self.with(root::root_of(coefficients, |coefficient| coefficient.value.round()).into()).in_range(false)
+        let root = root::root_of(coefficients, |coefficient| coefficient.value.round());
+        self.with(root.into()).in_range(false)
     }
 
     #[inline(always)]
-    fn two_sum(&self, other: &Self) -> GuardedWide<'a> {
+    fn two_sum(&self, other: &Self) -> GuardedWide<'a, WATCHED> {
         GuardedWide { wide: Measured::two_sum(self.value.round(), other.value.round()), left: self.left }
     }
 
     #[inline(always)]
-    fn two_product(&self, other: &Self) -> GuardedWide<'a> {
-        GuardedWide { wide: Measured::two_product(self.value.round(), other.value.round()), left: self.left }
+    fn two_product(&self, other: &Self) -> GuardedWide<'a, WATCHED> {
+        let (a, b) = (self.value.round(), other.value.round());
+        GuardedWide::product(Measured::two_product(a, b), a, b, self.left)
     }
 
     #[inline(always)]
-    fn wide_neg(wide: &GuardedWide<'a>) -> GuardedWide<'a> {
+    fn wide_neg(wide: &GuardedWide<'a, WATCHED>) -> GuardedWide<'a, WATCHED> {
         wide.with(-wide.wide)
     }
 
     #[inline(always)]
-    fn wide_add_exact(wide: &GuardedWide<'a>, exact: &Self) -> GuardedWide<'a> {
+    fn wide_add_exact(wide: &GuardedWide<'a, WATCHED>, exact: &Self) -> GuardedWide<'a, WATCHED> {
         wide.with(wide.wide + exact.value.round())
     }
 
     #[inline(always)]
-    fn wide_add(left: &GuardedWide<'a>, right: &GuardedWide<'a>) -> GuardedWide<'a> {
+    fn wide_add(left: &GuardedWide<'a, WATCHED>, right: &GuardedWide<'a, WATCHED>) -> GuardedWide<'a, WATCHED> {
         left.with(left.wide + right.wide)
     }
 
     #[inline(always)]
-    fn wide_mul_exact(wide: &GuardedWide<'a>, exact: &Self) -> GuardedWide<'a> {
-        wide.with(wide.wide * exact.value.round())
+    fn wide_mul_exact(wide: &GuardedWide<'a, WATCHED>, exact: &Self) -> GuardedWide<'a, WATCHED> {
+        let exact = exact.value.round();
+        GuardedWide::product(wide.wide * exact, wide.wide.round(), exact, wide.left)
     }
 
     #[inline(always)]
-    fn wide_mul(left: &GuardedWide<'a>, right: &GuardedWide<'a>) -> GuardedWide<'a> {
-        left.with(left.wide * right.wide)
+    fn wide_mul(left: &GuardedWide<'a, WATCHED>, right: &GuardedWide<'a, WATCHED>) -> GuardedWide<'a, WATCHED> {
+        GuardedWide::product(left.wide * right.wide, left.wide.round(), right.wide.round(), left.left)
     }
 
     #[inline(always)]
-    fn compensated(wide: &GuardedWide<'a>, threshold: f64, operands: &[&Self], terms: &[u8]) -> Self {
+    fn compensated(wide: &GuardedWide<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: &[u8]) -> Self {
         if wide.wide.settled(threshold) {
             return wide.value().in_range(false);
         }
-        let sum = exact::polynomial(operands, |operand| operand.value.round(), terms);
+        let read = |operand: &Self| Operand::of(operand.value.round());
+        let sum = exact::polynomial(operands, read, terms).unwrap_or(Soft::NAN);
         let (high, low) = sum.split();
         let value = Guarded { value: Wide::two_sum(high, low), left: wide.left };
         value.in_range(sum.is_zero())
@@ -202,7 +219,8 @@ impl<'a> Real for Guarded<'a> {
 
     /// A residual of zero is as good as any below the last digit of the iterate.
     #[inline(always)]
-    fn residual(wide: &GuardedWide<'a>) -> Self {
+    fn residual(wide: &GuardedWide<'a, WATCHED>) -> Self {
+        wide.left.set(wide.left.get() | !wide.wide.whole());
         wide.value().in_range(true)
     }
 }

@@ -30,9 +30,10 @@ pub struct Info {
     pub precision: Precision,
     /// What one evaluation costs, the check of the domain left out.
     pub operations: Operations,
-    /// The most inputs or steps that a term of its slices multiplies; 1 where it has no slice. Where k of them are beyond
-    /// magnitudes of 2^(1000/k), a slice may over- or underflow.
-    pub factors: u32,
+    /// The k of: where every input is 0 or of a magnitude from 2^-k to 2^k, no step of a kernel in `f64` over- or
+    /// underflows, and no product inside a slice loses its error. Other inputs get results as good, but each step is looked
+    /// at, which takes longer. 0 where no k is large enough, and where the function finds the root of a polynomial.
+    pub ordinary: u32,
 }
 
 /// What the function of a kernel computes in; `faithful` is the same for all of them.

@@ -71,7 +71,7 @@ impl Kernel {
         (self.faithful)(inputs, results)
     }
 
-    /// The results, or the condition that the inputs violate.
+    /// The results, or the condition that the inputs violate, or the result that `f64` cannot hold.
     pub fn checked(&self, inputs: &[f64], results: &mut [f64]) -> Result<(), CallError> {
         (self.checked)(inputs, results)
     }

@@ -38,10 +38,30 @@ impl Measured {
         self.value
     }
 
+    /// The value rounded.
+    #[inline(always)]
+    pub(crate) fn round(self) -> f64 {
+        self.value.round()
+    }
+
     /// Whether the value is larger than `threshold` times its size; never of NaN.
     #[inline(always)]
     pub(crate) fn settled(self, threshold: f64) -> bool {
-        self.value.round().abs() > threshold * self.size
+        self.round().abs() > threshold * self.size
+    }
+
+    /// A product of numbers with these leading parts: of infinite size, and so unsettled in all that it becomes part of,
+    /// where a product of them may not be error-free, on some targets or on all.
+    #[inline(always)]
+    pub(crate) fn watched(self, a: f64, b: f64) -> Self {
+        let size = if Wide::error_free(a, b) { self.size } else { f64::INFINITY };
+        Measured { size, ..self }
+    }
+
+    /// Whether nothing overflowed, and no [watched](Self::watched) product lost an error.
+    #[inline(always)]
+    pub(crate) fn whole(self) -> bool {
+        self.size.is_finite()
     }
 }
 

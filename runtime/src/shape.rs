@@ -1,125 +1,230 @@
 //! The shapes of a call that are the same for every program: plain, checked, faithful, single precision, batch row.
+//!
+//! A call has a quick way, which tests little and has no branch, so that batch loops vectorise. Where it is in doubt the row
+//! is [decided](tier) from the beginning, in one arithmetic after another. A kernel without ordinary inputs has no quick way.
 
 use core::cell::Cell;
+use core::marker::PhantomData;
 
-use crate::certified::certified;
-use crate::error::{DomainError, LengthError};
+use crate::error::{DomainError, LengthError, RangeError, ValueError};
 use crate::guarded::Guarded;
-use crate::info::Precision;
+use crate::info::{Info, Precision, ResultInfo};
 use crate::kernel::Program;
-use crate::quick::Quick;
-use crate::soft::Soft;
+use crate::plain::Plain;
+use crate::real::Real;
+use crate::tier::{self, Rounded, Steps};
 
 /// The condition that comes before all others.
 const FINITE: &str = "every input is finite";
 
-/// What holds where certified arithmetic comes to an end.
-const DECIDED: &str = "4,096 bits decide every sign, or that it is zero";
-
-/// What holds where the results of a formula exist.
-const HAS_VALUE: &str = "no root is taken of a negative number, and nothing is divided by zero";
-
 /// The results in `f64`, computed in the precision of the kernel; NaN outside the domain.
-///
-/// Values are computed in any case and then selected: without a branch, batch loops vectorise.
 #[inline(always)]
 pub fn value<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
-    if const { !matches!(P::INFO.precision, Precision::Double) } {
-        return faithful::<P, N, K, M>(inputs);
-    }
-    inside(inputs, P::evaluate(inputs), P::domain(inputs))
+    let doubt = Cell::new(0);
+    let results = quick::<P, N, K, M>(inputs, &doubt);
+    if doubt.get() != 0 { values(answer::<P, N, K, M>(inputs)) } else { results }
 }
 
 /// What [`value`] returns, unless `doubt` is raised.
 #[inline(always)]
 pub fn quick<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
-    doubt: &Cell<bool>,
+    doubt: &Cell<u64>,
 ) -> [f64; M] {
-    if const { matches!(P::INFO.precision, Precision::Certified) } {
-        return faithful::<P, N, K, M>(inputs);
+    if P::INFO.ordinary == 0 {
+        return values(answer::<P, N, K, M>(inputs));
     }
-    if const { matches!(P::INFO.precision, Precision::DoubleDouble) } {
-        let (results, domain) = guarded::<P, N, K, M>(inputs, doubt);
-        return inside(inputs, results, domain);
-    }
-    let numbers = inputs.map(|value| Quick { value, doubt });
-    inside(inputs, P::evaluate(&numbers).map(|result| result.value), P::domain(&numbers))
+    let (results, domain) = unless_in_doubt::<P, N, K, M>(inputs, doubt);
+    where_inside(results, domain)
 }
 
-/// The results where the inputs are finite and all conditions hold, else NaN.
+/// The results where all conditions hold, else NaN.
 #[inline(always)]
-fn inside<const N: usize, const K: usize, const M: usize>(
-    inputs: &[f64; N],
-    results: [f64; M],
-    domain: [bool; K],
-) -> [f64; M] {
-    let inside = domain.iter().fold(finite(inputs), |all, holds| all & holds);
+fn where_inside<const K: usize, const M: usize>(results: [f64; M], domain: [bool; K]) -> [f64; M] {
+    let inside = all(domain);
     results.map(|result| if inside { result } else { f64::NAN })
 }
 
-/// The results with an error of less than one ulp; NaN outside the domain.
-///
-/// The precision is asked for in a `const` block: what a kernel does not run in is not compiled for it.
-pub fn faithful<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
-    if !finite(inputs) {
-        return [f64::NAN; M];
-    }
-    if const { matches!(P::INFO.precision, Precision::Certified) } {
-        return certified::<P, N, K, M>(inputs).map_or([f64::NAN; M], |(results, _)| results);
-    }
-    let (results, domain) = rounded_once::<P, N, K, M>(inputs);
-    if domain.iter().all(|holds| *holds) { results } else { [f64::NAN; M] }
-}
-
-/// Results and domain of finite inputs, with an error of less than one ulp.
-fn rounded_once<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
-    inputs: &[f64; N],
-) -> ([f64; M], [bool; K]) {
-    let left = Cell::new(false);
-    let in_double_double = guarded::<P, N, K, M>(inputs, &left);
-    if left.get() { soft::<P, N, K, M>(inputs) } else { in_double_double }
-}
-
-/// Results and domain in double-double, unless `left` is raised.
+/// Results and domain in the precision of the kernel, unless `doubt` is raised.
 #[inline(always)]
-fn guarded<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+fn unless_in_doubt<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
-    left: &Cell<bool>,
+    doubt: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
-    let numbers = inputs.map(|value| Guarded::new(value, left));
-    (P::evaluate(&numbers).map(Guarded::round), P::domain(&numbers))
+    match P::INFO.precision {
+        Precision::Double => in_plain::<P, N, K, M>(inputs, doubt),
+        // a certified kernel has no quick way
+        Precision::DoubleDouble | Precision::Certified => in_double_double::<P, N, K, M>(inputs, doubt),
+    }
 }
 
-/// Results and domain in an arithmetic that neither over- nor underflows.
+/// Results and domain in `f64`, unless `doubt` is raised. Values are computed in any case: a branch would keep batch loops
+/// from vectorising.
+#[inline(always)]
+fn in_plain<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    inputs: &[f64; N],
+    doubt: &Cell<u64>,
+) -> ([f64; M], [bool; K]) {
+    let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO, inputs)), Cell::new(false));
+    let domain = P::domain(&inputs.map(|value| Plain::<false>::new(value, &of_domain)));
+    let results = P::evaluate(&inputs.map(|value| Plain::<false>::new(value, &of_results))).map(Plain::value);
+    raise(doubt, domain, of_domain.get(), of_results.get());
+    (results, domain)
+}
+
+/// Results and domain in double-double, unless `doubt` is raised.
+#[inline(always)]
+fn in_double_double<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    inputs: &[f64; N],
+    doubt: &Cell<u64>,
+) -> ([f64; M], [bool; K]) {
+    let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO, inputs)), Cell::new(false));
+    let domain = P::domain(&inputs.map(|value| Guarded::<false>::new(value, &of_domain)));
+    let results = P::evaluate(&inputs.map(|value| Guarded::<false>::new(value, &of_results))).map(Guarded::round);
+    raise(doubt, domain, of_domain.get(), of_results.get());
+    (results, domain)
+}
+
+/// Raises `doubt` for that of the domain, and that of the results where they are asked for. An integer is what compilers
+/// see through when they vectorise.
+#[inline(always)]
+fn raise<const K: usize>(doubt: &Cell<u64>, domain: [bool; K], of_domain: bool, of_results: bool) {
+    doubt.set(doubt.get() | u64::from(of_domain | (all(domain) & of_results)));
+}
+
+/// Whether every input is 0 or of a magnitude at which no step over- or underflows.
+#[inline(always)]
+fn ordinary<const N: usize>(info: &Info, inputs: &[f64; N]) -> bool {
+    let exponent = u64::from(info.ordinary);
+    let (least, most) = (f64::from_bits((1023 - exponent) << 52), f64::from_bits((1023 + exponent) << 52));
+    let ordinary = |input: &f64| (*input == 0.0) | ((input.abs() >= least) & (input.abs() <= most));
+    inputs.iter().fold(true, |all, input| all & ordinary(input))
+}
+
+#[inline(always)]
+fn all<const K: usize>(domain: [bool; K]) -> bool {
+    domain.iter().fold(true, |all, holds| all & holds)
+}
+
+/// A compiled program at a point.
+struct Compiled<'a, P, const N: usize, const K: usize, const M: usize> {
+    inputs: &'a [f64; N],
+    program: PhantomData<P>,
+}
+
+impl<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize> Steps for Compiled<'_, P, N, K, M> {
+    type Results<T> = [T; M];
+
+    #[inline(always)]
+    fn violated<R: Real>(&self, number: impl Fn(f64) -> R) -> Option<usize> {
+        first_violated(P::domain(&self.inputs.map(number)))
+    }
+
+    #[inline(always)]
+    fn results<R: Real, T>(&self, number: impl Fn(f64) -> R, end: impl Fn(R) -> T) -> [T; M] {
+        P::evaluate(&self.inputs.map(number)).map(end)
+    }
+}
+
+#[inline(always)]
+fn first_violated<const K: usize>(domain: [bool; K]) -> Option<usize> {
+    domain.iter().position(|holds| !holds)
+}
+
+/// The results, or the condition that the inputs violate, in the precision of the kernel.
 #[cold]
 #[inline(never)]
-fn soft<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+fn answer<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
-) -> ([f64; M], [bool; K]) {
-    let numbers = inputs.map(Soft::from_f64);
-    (P::evaluate(&numbers).map(Soft::to_f64), P::domain(&numbers))
+) -> Result<[Rounded; M], &'static str> {
+    if P::INFO.precision == Precision::Double {
+        return answered::<P, N, K, M>(inputs, tier::plain);
+    }
+    finer_answer::<P, N, K, M>(inputs)
 }
 
-/// The results in `f64`, or the first condition that the inputs violate.
+#[inline(always)]
+fn answered<'a, P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    inputs: &'a [f64; N],
+    tiers: fn(&Compiled<'a, P, N, K, M>) -> Result<[Rounded; M], usize>,
+) -> Result<[Rounded; M], &'static str> {
+    if !inputs.iter().all(|input| input.is_finite()) {
+        return Err(FINITE);
+    }
+    tiers(&Compiled { inputs, program: PhantomData }).map_err(|position| condition(P::INFO, position))
+}
+
+/// The numbers of an answer; NaN where it has none.
+fn values<const M: usize>(answer: Result<[Rounded; M], &'static str>) -> [f64; M] {
+    answer.map_or([f64::NAN; M], |results| results.map(|result| result.value))
+}
+
+/// The results with an error of less than one ulp; NaN outside the domain.
+pub fn faithful<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
+    if P::INFO.ordinary == 0 {
+        return values(faithful_answer::<P, N, K, M>(inputs));
+    }
+    let doubt = Cell::new(0);
+    let (results, domain) = in_double_double::<P, N, K, M>(inputs, &doubt);
+    if doubt.get() != 0 {
+        return values(faithful_answer::<P, N, K, M>(inputs));
+    }
+    where_inside(results, domain)
+}
+
+/// The same where the quick way is in doubt.
+#[cold]
+#[inline(never)]
+fn faithful_answer<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    inputs: &[f64; N],
+) -> Result<[Rounded; M], &'static str> {
+    finer_answer::<P, N, K, M>(inputs)
+}
+
+/// The results with an error of less than one ulp. The precision is asked for in a `const` block, so that balls are
+/// compiled for certified kernels only.
+#[inline(always)]
+fn finer_answer<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    inputs: &[f64; N],
+) -> Result<[Rounded; M], &'static str> {
+    if const { matches!(P::INFO.precision, Precision::Certified) } {
+        answered::<P, N, K, M>(inputs, tier::certified)
+    } else {
+        answered::<P, N, K, M>(inputs, tier::faithful)
+    }
+}
+
+/// The results in `f64`, or why there are none: the first condition that the inputs violate, or the first result that
+/// `f64` cannot hold.
 pub fn checked<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
-) -> Result<[f64; M], DomainError> {
-    let refused = |condition| Err(DomainError::new(P::INFO, condition, inputs));
-    if !finite(inputs) {
-        return refused(FINITE);
+) -> Result<[f64; M], ValueError> {
+    if P::INFO.ordinary == 0 {
+        return checked_when_decided::<P, N, K, M>(inputs);
     }
-    if const { matches!(P::INFO.precision, Precision::Certified) } {
-        let Some((results, domain)) = certified::<P, N, K, M>(inputs) else { return refused(DECIDED) };
-        let missing = results.iter().any(|result| result.is_nan()).then_some(HAS_VALUE);
-        return violated::<P, N, K, M>(domain).or(missing).map_or(Ok(results), refused);
+    let doubt = Cell::new(0);
+    let (results, domain) = unless_in_doubt::<P, N, K, M>(inputs, &doubt);
+    if doubt.get() != 0 {
+        return checked_when_decided::<P, N, K, M>(inputs);
     }
-    match P::INFO.precision {
-        Precision::Double => violated::<P, N, K, M>(P::domain(inputs)).map_or_else(|| Ok(P::evaluate(inputs)), refused),
-        Precision::DoubleDouble | Precision::Certified => {
-            let (results, domain) = rounded_once::<P, N, K, M>(inputs);
-            violated::<P, N, K, M>(domain).map_or(Ok(results), refused)
-        }
+    match first_violated(domain) {
+        Some(position) => Err(DomainError::new(P::INFO, condition(P::INFO, position), inputs).into()),
+        None => Ok(results),
+    }
+}
+
+/// The same where the quick way is in doubt.
+#[cold]
+#[inline(never)]
+fn checked_when_decided<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    inputs: &[f64; N],
+) -> Result<[f64; M], ValueError> {
+    let refused = |condition| DomainError::new(P::INFO, condition, inputs);
+    let results = answer::<P, N, K, M>(inputs).map_err(refused)?;
+    let lost = |(result, info): (&Rounded, &ResultInfo)| RangeError::new(P::INFO, info.name, *result, inputs);
+    match results.iter().zip(P::INFO.results).find_map(lost) {
+        Some(error) => Err(error.into()),
+        None => Ok(results.map(|result| result.value)),
     }
 }
 
@@ -133,15 +238,7 @@ pub fn same_length(kernel: &'static str, name: &'static str, expected: usize, fo
     if expected == found { Ok(()) } else { Err(LengthError { kernel, name, expected, found }) }
 }
 
-#[inline(always)]
-fn finite<const N: usize>(inputs: &[f64; N]) -> bool {
-    inputs.iter().fold(true, |all, input| all & input.is_finite())
-}
-
-/// The first condition that does not hold.
-fn violated<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
-    domain: [bool; K],
-) -> Option<&'static str> {
-    let conditions = domain.into_iter().zip(P::INFO.domain);
-    conditions.filter(|(holds, _)| !holds).map(|(_, &condition)| condition).next()
+/// The text of a condition, by position.
+fn condition(info: &Info, position: usize) -> &'static str {
+    info.domain.get(position).copied().unwrap_or_default()
 }

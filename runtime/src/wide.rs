@@ -6,11 +6,19 @@
 //!
 //! The theorems hold while nothing over- or underflows. A product of operands beyond 2^996 (where the split of an
 //! operand overflows, on targets without a fused multiply-add) or below 2^-969 (where its error underflows) loses
-//! the theorem; beyond 2^996 the value may become NaN. It never panics.
+//! the theorem; beyond 2^996 the value may become NaN, and the two ways to multiply differ. Programs therefore never use
+//! such a product: see `Plain` and `Guarded`. It never panics.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::float::{product_error, sqrt};
+
+/// Between these magnitudes a product of numbers that can be split is error-free: one of 2^-969 or more has an error of
+/// no bits below the smallest number, 2^-1074, and one of 2^1022 or less has parts that do not overflow.
+const PRODUCTS: (f64, f64) = (f64::from_bits((1023 - 969) << 52), f64::from_bits((1023 + 1022) << 52));
+
+/// 2^996: the split of a factor, some 2^27 times as large, is finite.
+pub(crate) const LARGEST_FACTOR: f64 = f64::from_bits((1023 + 996) << 52);
 
 /// A number of about 106 bits: `high + low`, where `high` is that sum rounded to `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,11 +37,21 @@ impl Wide {
         Wide { high, low: (a - a_part) + (b - b_part) }
     }
 
-    /// `a * b`, exactly (2Prod: fused multiply-add, else Dekker's product; the same bits).
+    /// `a * b`, exactly (2Prod: fused multiply-add, else Dekker's product; the same bits where it is
+    /// [error-free](Self::error_free)).
     #[inline(always)]
     pub fn two_product(a: f64, b: f64) -> Self {
         let high = a * b;
         Wide { high, low: product_error(a, b, high) }
+    }
+
+    /// Whether the product of `a` and `b` is error-free however it is computed: operands can be split, no product of
+    /// their parts overflows, and the error does not underflow.
+    #[inline(always)]
+    pub(crate) fn error_free(a: f64, b: f64) -> bool {
+        let product = (a * b).abs();
+        let sized = ((product >= PRODUCTS.0) & (product <= PRODUCTS.1)) | (a == 0.0) | (b == 0.0);
+        (a.abs() <= LARGEST_FACTOR) & (b.abs() <= LARGEST_FACTOR) & sized
     }
 
     /// `a + b`, exactly, where `a` is zero or its exponent is not below that of `b` (Dekker's Fast2Sum).
@@ -147,7 +165,7 @@ impl Mul for Wide {
     type Output = Wide;
 
     /// Relative error at most 7 u^2 (JMP algorithm 10, DWTimesDW1; it uses no fused operation outside 2Prod, hence the
-    /// same bits on every target).
+    /// same bits on every target where that is error-free).
     #[inline(always)]
     fn mul(self, other: Wide) -> Wide {
         let product = Wide::two_product(self.high, other.high);

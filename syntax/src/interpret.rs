@@ -64,7 +64,8 @@ pub fn violated<A: Arithmetic>(kernel: &Kernel, arithmetic: &A, inputs: &[A::Val
     if let Some(input) = inputs.iter().position(|input| !arithmetic.is_finite(input)) {
         return Some(Violation::NotFinite(input));
     }
-    kernel.requires.iter().position(|require| !machine.holds(&require.condition)).map(Violation::Require)
+    let all: Vec<bool> = kernel.requires.iter().map(|require| machine.holds(&require.condition)).collect();
+    all.iter().position(|holds| !holds).map(Violation::Require)
 }
 
 struct Machine<'a, A: Arithmetic> {
@@ -121,13 +122,14 @@ impl<'a, A: Arithmetic> Machine<'a, A> {
         }
     }
 
+    /// Evaluates all of it, as the compiled kernel does: an arithmetic may note what happens in any part.
     fn holds(&self, condition: &Condition) -> bool {
         match condition {
             Condition::Compare { op, left, right } => {
                 op.holds(self.arithmetic.compare(&self.value(left), &self.value(right)))
             }
-            Condition::And(left, right) => self.holds(left) && self.holds(right),
-            Condition::Or(left, right) => self.holds(left) || self.holds(right),
+            Condition::And(left, right) => self.holds(left) & self.holds(right),
+            Condition::Or(left, right) => self.holds(left) | self.holds(right),
             Condition::Not(inner) => !self.holds(inner),
         }
     }

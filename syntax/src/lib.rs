@@ -2,8 +2,9 @@
 //!
 //! [`parse`] turns one function into a [`Kernel`] and checks it, [`parse_file`] does so for every kernel of a source
 //! file. Errors point at the user's tokens and are collected: one run names them all. [`check_limits`] comes before, so
-//! that nothing deep ends the stack; [`certified`] comes after, so that no bound is stated that was not proved. [`evaluate`] and [`violated`]
-//! interpret a kernel; [`operations`] counts what it costs.
+//! that nothing deep ends the stack; [`certified`] comes after, so that no bound is stated that was not proved. [`evaluate`]
+//! and [`violated`] interpret a kernel; [`operations`] counts what it costs, [`ordinary`] tells at which inputs nothing over-
+//! or underflows.
 //!
 //! This crate knows nothing of the runtime, which depends on it through the macro: arithmetic comes in by the trait
 //! [`Arithmetic`].
@@ -20,6 +21,7 @@ mod input;
 mod interpret;
 mod kernel;
 mod limits;
+mod magnitude;
 mod operations;
 mod output;
 mod pattern;
@@ -36,7 +38,8 @@ pub use kernel::{
     Slice,
 };
 pub use limits::{MAX_HEIGHT, MAX_NESTING, check as check_limits};
-pub use operations::{Operations, most_factors, operations, operations_of};
+pub use magnitude::ordinary;
+pub use operations::{Operations, operations, operations_of};
 pub use print::{condition_text, expression_text};
 pub use slice::{MAX_FACTORS, SliceArithmetic, fold_compensated, fold_residual};
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::kernel::{BinaryOp, Expr, Kernel, Slice};
+use crate::kernel::{BinaryOp, Condition, Expr, Kernel};
 
 /// How many operations one evaluation takes; signs, magnitudes, comparisons and choices are free.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -50,26 +50,6 @@ pub fn operations_of(kernel: &Kernel, result: usize) -> Operations {
         }
     }
     count
-}
-
-/// The most names that a term of a slice multiplies, anywhere in the kernel; 1 where it has no slice.
-pub fn most_factors(kernel: &Kernel) -> u32 {
-    let mut most = 1;
-    kernel.visit(&mut |expr| {
-        if let Expr::Compensated(Slice { value: slice, .. }) | Expr::Residual(slice) = expr {
-            most = most.max(factors(slice));
-        }
-    });
-    most
-}
-
-/// The most names that a term of a slice multiplies.
-fn factors(slice: &Expr) -> u32 {
-    match slice {
-        Expr::Name(_) => 1,
-        Expr::Binary { op: BinaryOp::Mul, left, right } => factors(left) + factors(right),
-        other => other.children().into_iter().map(factors).max().unwrap_or(0),
-    }
 }
 
 impl Operations {
@@ -141,17 +121,5 @@ mod tests {
         assert_eq!(operations_of(&kernel, 0), Operations { mul: 1, div: 1, sqrt: 1, ..slice });
         assert_eq!(operations_of(&kernel, 1), Operations { add: 2, ..slice });
         assert_eq!(operations(&kernel), Operations { add: 2, mul: 1, div: 1, sqrt: 1, ..slice });
-    }
-
-    #[test]
-    fn the_longest_product_of_a_slice_counts() {
-        let most = |body: &str| {
-            let source = format!("#[kernel]\npub fn f(x: f64, y: f64) -> f64 {{ {body} }}");
-            most_factors(&crate::parse_file(&source).unwrap().remove(0))
-        };
-        assert_eq!(most("x * y * x"), 1);
-        assert_eq!(most("sqrt(compensated!(2.0 * x * (x * y - 3.0 * y)) + x)"), 3);
-        assert_eq!(most("require!(compensated!(x * x * y - 1.0) > 0.0); x"), 3);
-        assert_eq!(most("if compensated!(x * y) > 0.0 { x } else { compensated!(x - y) }"), 2);
     }
 }

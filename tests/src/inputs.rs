@@ -5,13 +5,13 @@ use closedform::{Info, Input};
 use crate::domain::Domain;
 use crate::random::Random;
 use crate::reference::Oracle;
-use crate::scaling::dimensions;
+use crate::scaling::{Dimension, dimensions};
 use crate::zeros::{Zeros, subterms};
 
-/// Inputs other than zero stay within 2^-LIMIT to 2^LIMIT, lest a product over- or underflows, and closer where a slice
-/// multiplies more than some of them: the product within 2^-PRODUCT to 2^PRODUCT.
-const LIMIT: i32 = 128;
-const PRODUCT: i32 = 1_000;
+/// The exponents of the least number, of the least normal one, and of the largest power of two.
+const LEAST: i32 = -1_074;
+const NORMAL: i32 = -1_022;
+const LARGEST: i32 = 1_023;
 
 /// The exponents of `Maker::Wide`.
 const WIDE: f64 = 100.0;
@@ -41,11 +41,14 @@ pub enum Maker {
     Octaves,
     /// Uniform over reals.
     Reals,
+    /// Of all exponents, where steps over- and underflow: uniform over bit patterns; products of a few inputs near the
+    /// largest and the smallest numbers; some inputs subnormal, zero or huge; other points in very large or small units.
+    Extreme,
 }
 
 impl Maker {
     /// Every maker.
-    pub const ALL: [Maker; 8] = [
+    pub const ALL: [Maker; 9] = [
         Maker::Edges,
         Maker::Subterms,
         Maker::NearEqual,
@@ -54,6 +57,7 @@ impl Maker {
         Maker::Wide,
         Maker::Octaves,
         Maker::Reals,
+        Maker::Extreme,
     ];
 
     /// Samplings that know nothing of the kernel but its domain: bit patterns, octaves, reals.
@@ -80,6 +84,8 @@ pub struct Space {
     signs: Vec<Vec<f64>>,
     /// Pairs of inputs of one unit.
     pairs: Vec<(usize, usize)>,
+    /// The units of the inputs, where they are of length and time.
+    units: Option<Vec<Dimension>>,
 }
 
 impl Space {
@@ -93,7 +99,8 @@ impl Space {
         oracle.bodies().iter().for_each(|body| subterms(body, &mut inside));
         let (edges, subterms) = (zeros(domain.edges()), zeros(inside));
         let signs = info.inputs.iter().enumerate().map(|(position, input)| signs(&domain, position, input)).collect();
-        Space { info, domain, edges, subterms, signs, pairs: pairs(info.inputs) }
+        let units = dimensions(info, info.inputs.iter().map(|input| input.unit)).ok();
+        Space { info, domain, edges, subterms, signs, pairs: pairs(info.inputs), units }
     }
 
     /// The domain.
@@ -111,16 +118,9 @@ impl Space {
         }
     }
 
-    /// Whether a point is one to judge: inside the domain, and of magnitudes that do not over- or underflow.
+    /// Whether a point is one to judge: inside the domain.
     pub fn admits(&self, point: &[f64]) -> bool {
-        self.moderate(point) && self.domain.contains(point)
-    }
-
-    /// Whether no product of a few of these inputs over- or underflows.
-    fn moderate(&self, point: &[f64]) -> bool {
-        let limit = LIMIT.min(PRODUCT / self.info.factors as i32);
-        let range = 2.0_f64.powi(-limit)..=2.0_f64.powi(limit);
-        point.iter().all(|input| *input == 0.0 || range.contains(&input.abs()))
+        self.domain.contains(point)
     }
 
     /// `count` points inside the domain; none where the kernel has none of this kind.
@@ -131,37 +131,19 @@ impl Space {
         Points { origin: format!("{maker:?}, seed {seed}"), list: (0..count).map(point).collect() }
     }
 
-    /// Points of other makers in units of length and time so large or small that steps over- and underflow; still inside
-    /// the domain.
-    pub fn extreme(&self, seed: u64, count: usize) -> Points {
-        let mut random = Random::new(seed, &format!("{} extreme", self.info.name));
-        let units = dimensions(self.info, self.info.inputs.iter().map(|input| input.unit));
-        let units = units.unwrap_or_else(|error| panic!("{error}"));
-        let candidate = |random: &mut Random| {
-            let maker = *random.pick(&[Maker::Edges, Maker::Wide, Maker::Logarithmic]);
-            let mut point = self.candidate(if self.has(maker) { maker } else { Maker::Wide }, random)?;
-            let [length, time] = [0, 1].map(|_| random.below(1_600) as i32 - 800);
-            point.iter_mut().zip(&units).for_each(|(value, unit)| *value *= unit.factor(length, time / 2));
-            Some(point)
-        };
-        let inside = |point: &[f64]| point.iter().all(|value| value.is_finite()) && self.domain.contains(point);
-        let list = (0..count).map(|_| self.first(|| candidate(&mut random), inside)).collect();
-        Points { origin: format!("extreme, seed {seed}"), list }
-    }
-
     /// `count` points outside the domain, at its edges, of wrong signs and at zeros; none where the kernel takes everything.
     pub fn outside(&self, seed: u64, count: usize) -> Points {
         let mut random = Random::new(seed, &format!("{} outside", self.info.name));
         let count = if self.has(Maker::Edges) { count } else { 0 };
         let candidate = |random: &mut Random| {
-            let maker = *random.pick(&[Maker::Edges, Maker::Logarithmic]);
+            let maker = *random.pick(&[Maker::Edges, Maker::Logarithmic, Maker::Extreme]);
             let mut point = self.candidate(maker, random)?;
             if maker == Maker::Logarithmic {
                 point.iter_mut().for_each(|value| *value *= *random.pick(&[1.0, -1.0, 0.0]));
             }
             Some(point)
         };
-        let refused = |point: &[f64]| self.moderate(point) && !self.domain.contains(point);
+        let refused = |point: &[f64]| point.iter().all(|input| input.is_finite()) && !self.domain.contains(point);
         let list = (0..count).map(|_| self.first(|| candidate(&mut random), refused)).collect();
         Points { origin: format!("outside, seed {seed}"), list }
     }
@@ -175,8 +157,8 @@ impl Space {
 
     fn candidate(&self, maker: Maker, random: &mut Random) -> Option<Vec<f64>> {
         match maker {
-            Maker::Edges => self.nudged_zero(&self.edges, random),
-            Maker::Subterms => self.nudged_zero(&self.subterms, random),
+            Maker::Edges => self.nudged_zero(&self.edges, typical_or_wide(random), random),
+            Maker::Subterms => self.nudged_zero(&self.subterms, typical_or_wide(random), random),
             Maker::NearEqual => self.near_equal(random),
             Maker::Logarithmic => Some(self.each(random, logarithmic)),
             Maker::Bits => Some(self.each(random, |input, random| {
@@ -186,6 +168,37 @@ impl Space {
             Maker::Wide => Some(self.each(random, |_, random| with_bits(random.between(-WIDE, WIDE), random))),
             Maker::Octaves => Some(self.each(random, |_, random| random.between(-OCTAVES, OCTAVES).exp2())),
             Maker::Reals => Some(self.each(random, |input, random| random.between(input.typical.0, input.typical.1))),
+            Maker::Extreme => self.extreme(random),
+        }
+    }
+
+    fn extreme(&self, random: &mut Random) -> Option<Vec<f64>> {
+        match random.below(5) {
+            0 => Some(
+                self.each(random, |_, random| scaled(1.0, random.between(LEAST.into(), LARGEST.into()) as i32, random)),
+            ),
+            1 => {
+                let limit = *random.pick(&[LEAST, NORMAL, LARGEST]) / (1 + random.below(6) as i32);
+                Some(self.each(random, |_, random| scaled(1.0, limit + random.below(5) as i32 - 2, random)))
+            }
+            2 => {
+                let mut point = self.candidate(Maker::Logarithmic, random)?;
+                let input = random.below(point.len());
+                let exponent = *random.pick(&[LEAST, LEAST + 1, NORMAL - 1, NORMAL, LARGEST / 2, LARGEST]);
+                point[input] = if random.one_in(6) { 0.0 } else { scaled(point[input].signum(), exponent, random) };
+                Some(point)
+            }
+            3 => self.nudged_zero(&self.edges, Maker::Extreme, random),
+            _ => {
+                let maker = *random.pick(&[Maker::Edges, Maker::Wide, Maker::Logarithmic]);
+                let mut point = self.candidate(if self.has(maker) { maker } else { Maker::Wide }, random)?;
+                let [length, time] = [0, 1].map(|_| random.below(1_600) as i32 - 800);
+                point
+                    .iter_mut()
+                    .zip(self.units.iter().flatten())
+                    .for_each(|(value, unit)| *value *= unit.factor(length, time / 2));
+                Some(point)
+            }
         }
     }
 
@@ -195,9 +208,11 @@ impl Space {
         inputs.map(|(input, signs)| *random.pick(signs) * magnitude(input, random)).collect()
     }
 
-    /// A point where one of the expressions vanishes, its solved input nudged.
-    fn nudged_zero(&self, zeros: &[Zeros], random: &mut Random) -> Option<Vec<f64>> {
-        let base = if random.one_in(4) { Maker::Wide } else { Maker::Logarithmic };
+    /// A point of the maker `base` where one of the expressions vanishes, its solved input nudged.
+    fn nudged_zero(&self, zeros: &[Zeros], base: Maker, random: &mut Random) -> Option<Vec<f64>> {
+        if zeros.is_empty() {
+            return None;
+        }
         let mut point = self.candidate(base, random)?;
         if random.one_in(3) {
             // Of round numbers the zero is often a double itself.
@@ -220,6 +235,10 @@ impl Space {
         point[to] = nudged(equal, equal, random);
         Some(point)
     }
+}
+
+fn typical_or_wide(random: &mut Random) -> Maker {
+    if random.one_in(4) { Maker::Wide } else { Maker::Logarithmic }
 }
 
 /// The signs that the conditions on the input alone leave open.
@@ -257,6 +276,12 @@ fn with_bits(exponent: f64, random: &mut Random) -> f64 {
         _ => bits,
     };
     f64::from_bits(1.0_f64.to_bits() | fraction) * exponent.floor().exp2()
+}
+
+/// A number of this sign and exponent, subnormal ones included.
+fn scaled(sign: f64, exponent: i32, random: &mut Random) -> f64 {
+    let (first, second) = (exponent / 2, exponent - exponent / 2);
+    sign * with_bits(0.0, random) * 2.0_f64.powi(first) * 2.0_f64.powi(second)
 }
 
 /// A number of the same sign and exponent as this one, which is not zero.

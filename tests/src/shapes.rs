@@ -1,6 +1,7 @@
 //! What all shapes of a call promise besides accuracy: NaN and names outside the domain, equal bits, single precision.
 
-use closedform::{CallError, Kernel};
+use closedform::{CallError, Kernel, RangeError, RangeReason};
+use rug::Float;
 
 use crate::check::Judge;
 use crate::domain::FINITE;
@@ -49,13 +50,60 @@ pub fn check_finite(judge: &Judge, points: &Points) -> Result<(), String> {
 
 const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
-/// The condition that `checked` names; inside the domain its results must be `expected`, bit for bit.
+/// The condition that `checked` names; inside the domain its results must be `expected`, bit for bit, unless it names one
+/// that is lost.
 fn refused(kernel: &Kernel, inputs: &[f64], expected: &[f64]) -> Result<Option<&'static str>, String> {
     let mut results = vec![0.0; expected.len()];
     match kernel.checked(inputs, &mut results) {
         Err(CallError::Domain(error)) => Ok(Some(error.condition())),
         Ok(()) if same_bits(&results, expected) => Ok(None),
+        Err(CallError::Range(_)) => Ok(None),
         other => Err(format!("{}: checked {other:?} with {results:?}, not {expected:?}", kernel.info.name)),
+    }
+}
+
+/// Demands of each point inside the domain that `checked` names the first result that `f64` cannot hold, and why.
+///
+/// # Errors
+///
+/// The first point where it does not.
+pub fn check_range(judge: &Judge, points: &Points) -> Result<(), String> {
+    for inputs in &points.list {
+        let actual = judge.actual(inputs);
+        let mut results = vec![0.0; actual.len()];
+        let lost = match judge.kernel.checked(inputs, &mut results) {
+            Ok(()) => None,
+            Err(CallError::Range(error)) => Some(error),
+            Err(other) => return Err(told(judge, inputs, &points.origin, &format!("refused: {other}"))),
+        };
+        let first = lost.as_ref().map_or(actual.len(), |lost| position(judge, lost));
+        for (result, value) in actual.iter().enumerate().take(first + 1) {
+            let (exact, lost) = (judge.exact(result, inputs), lost.as_ref().filter(|_| result == first));
+            if !fits(*value, &exact, lost) {
+                let what = format!("{value:?} for {exact:.20}, and checked says {lost:?}");
+                return Err(told(judge, inputs, &points.origin, &what));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn position(judge: &Judge, lost: &RangeError) -> usize {
+    let results = judge.kernel.info.results;
+    results.iter().position(|result| result.name == lost.result()).expect("a result of the kernel")
+}
+
+/// Whether the exact value is as lost as is said. At the edge of what `f64` holds, rounding decides.
+fn fits(value: f64, exact: &Float, lost: Option<&RangeError>) -> bool {
+    let normal = exact.clone().abs() >= f64::MIN_POSITIVE * (1.0 - f64::EPSILON);
+    match lost {
+        None => value.is_finite() && (normal || *exact == value),
+        Some(lost) if lost.rounded().to_bits() != value.to_bits() => false,
+        Some(lost) => match lost.reason() {
+            RangeReason::Overflow => value.is_infinite() && exact.to_f64().is_infinite(),
+            RangeReason::Underflow => value.abs() <= f64::MIN_POSITIVE && *exact != value,
+            _ => false,
+        },
     }
 }
 

@@ -15,8 +15,8 @@ use crate::ulp::{self, F64};
 const PRECISIONS: (u32, u32) = (192, 256);
 
 /// Bits at which the program is given up, and those at which it is believed to vanish: no slice of doubles has more.
-const MOST_PRECISE: u32 = 1 << 15;
-const VANISHES: u32 = 1 << 12;
+const MOST_PRECISE: u32 = 1 << 16;
+const VANISHES: u32 = 1 << 15;
 
 /// Bits in which two evaluations must agree.
 const BITS: u32 = 80;
@@ -85,10 +85,10 @@ impl<'a> Sweep<'a> {
         Sweep { judge, origin, plain: results.clone(), faithful: results, swept: Swept::default() }
     }
 
-    /// Whether the point is inside the domain; then its results are known.
+    /// Whether the point is inside the domain and `f64` holds all results; then they are known.
     fn takes(&mut self, point: &[f64]) -> Result<bool, String> {
         match self.judge.kernel.checked(point, &mut self.plain) {
-            Err(CallError::Domain(_)) => return Ok(false),
+            Err(CallError::Domain(_) | CallError::Range(_)) => return Ok(false),
             outcome => outcome.map_err(|error| error.to_string())?,
         }
         self.judge.kernel.faithful(point, &mut self.faithful).map_err(|error| error.to_string())?;

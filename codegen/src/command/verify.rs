@@ -78,7 +78,7 @@ enum Cause {
 
 /// No point was measured.
 #[derive(Debug, Error, Diagnostic)]
-#[error("the bound covers none of {points} points: steps over- or underflow")]
+#[error("the bound covers none of {points} points: results over- or underflow")]
 #[diagnostic(help("correct the `typical` magnitudes of the inputs in the contract"))]
 struct Uncovered {
     points: usize,

@@ -178,12 +178,11 @@ fn print_docs(text: &mut String, kernel: &KernelText) {
 
 fn bound_line(kernel: &KernelText, result: &ResultText) -> String {
     let what = if kernel.results.len() == 1 { String::new() } else { format!("`{}`: ", result.name) };
-    let of = match kernel.precision {
-        Precision::Double => "",
-        Precision::DoubleDouble => " of the result",
-        Precision::Certified => " of the result; every call sees to it, and gives NaN where 4,096 bits do not decide",
+    let enforced = match kernel.precision {
+        Precision::Double | Precision::DoubleDouble => "",
+        Precision::Certified => "; every call sees to it, and gives NaN where 4,096 bits do not decide",
     };
-    format!("- {what}at most {} ulp, barring overflow and underflow{of}", result.bound)
+    format!("- {what}at most {} ulp, barring overflow and underflow of the result{enforced}", result.bound)
 }
 
 fn print_attribute(text: &mut String, family: &str, kernel: &KernelText) {

@@ -83,6 +83,14 @@ impl<const L: usize> Limbs<L> {
         Soft::new(self.negative, bits, self.exponent - 128, cut).to_f64()
     }
 
+    /// Whether it is this `f64`.
+    pub(super) fn is_exactly(&self, x: f64) -> bool {
+        x.is_finite() && {
+            let (rest, cut) = self.plus(Self::from_f64(-x));
+            rest.is_zero() && cut.is_none()
+        }
+    }
+
     pub(super) fn negated(self) -> Self {
         Limbs { negative: !self.negative, ..self }
     }

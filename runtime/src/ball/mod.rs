@@ -142,17 +142,18 @@ impl<'a, const L: usize> Ball<'a, L> {
         Some(Self::without_value(kind, self.settling))
     }
 
-    /// The nearest `f64` with an error of 0.51 units in the last place at most, NaN where there is no value; `None` where
-    /// the ball is too large for that.
-    pub fn accepted(&self) -> Option<f64> {
+    /// The nearest `f64`, off by 0.51 units in the last place at most, and whether it is the value itself; NaN where there
+    /// is no value. `None` where the ball is too large for that.
+    pub fn accepted(&self) -> Option<(f64, bool)> {
+        let rounded = self.middle.to_f64();
         match self.kind {
-            Kind::Nothing => Some(f64::NAN),
+            Kind::Nothing => Some((f64::NAN, false)),
             Kind::Unknown => None,
-            Kind::Number if self.radius.is_zero() => Some(self.middle.to_f64()),
+            Kind::Number if self.radius.is_zero() => Some((rounded, self.middle.is_exactly(rounded))),
             Kind::Number => {
                 let allowed = self.middle.exponent().saturating_add(ACCEPTED);
                 let accepted = !self.middle.is_zero() && self.radius.is_less_than(0.5, allowed);
-                accepted.then(|| self.middle.to_f64())
+                accepted.then_some((rounded, false))
             }
         }
     }

@@ -69,7 +69,8 @@ fn demand_inverse(first: (&str, &'static str), second: (&str, &'static str), con
 #[test]
 fn units_scale_results_bit_for_bit() {
     for judge in judges() {
-        for maker in Maker::ALL {
+        // In other units, extreme results lose digits, and extreme inputs are not finite.
+        for maker in Maker::ALL.into_iter().filter(|maker| *maker != Maker::Extreme) {
             let points = judge.space.inside(maker, seed(), budget().laws);
             check_scaling(judge.kernel, &points).unwrap_or_else(|broken| panic!("{broken}"));
         }

@@ -163,7 +163,7 @@ impl Evaluation {
             }
         }
         if !self.covered {
-            text += "The bound does not cover this point: a step over- or underflows.\n";
+            text += "The bound does not cover this point: a result over- or underflows.\n";
         }
         text
     }

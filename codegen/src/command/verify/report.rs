@@ -91,7 +91,7 @@ pub fn text(rows: &[Row], seed: u64) -> String {
     table.add_rows(rows.iter().map(Row::cells));
     let mut text = format!("{table}\nseed {seed}\n");
     if rows.iter().any(|row| row.beyond > 0) {
-        text += "beyond: points that bounds do not cover, because a step over- or underflows\n";
+        text += "beyond: points that bounds do not cover, because a result over- or underflows\n";
     }
     text
 }

@@ -1,0 +1,153 @@
+//! The arithmetics one after another, each for the inputs that the one before leaves: what every shape of a call, and the
+//! interpreter, falls back on.
+//!
+//! A tier is left where one of its steps does not keep its promise. The last, [`Soft`], keeps it everywhere, so what comes
+//! out is right for all finite inputs: conditions are decided exactly, and only results over- or underflow.
+//!
+//! A certified kernel has tiers of its own: [balls](Ball) of more and more words, until every condition is decided and
+//! every result is right.
+
+use core::cell::Cell;
+
+use crate::ball::{Ball, Settling};
+use crate::guarded::Guarded;
+use crate::plain::Plain;
+use crate::real::Real;
+use crate::soft::Soft;
+
+/// A program at a point, in any arithmetic.
+pub trait Steps {
+    /// One value a result.
+    type Results<T>;
+
+    /// The first condition, by position, that does not hold; all of them are evaluated. `number` reads an input.
+    fn violated<R: Real>(&self, number: impl Fn(f64) -> R) -> Option<usize>;
+
+    /// The results, whether or not the inputs lie in the domain, each read by `end`.
+    fn results<R: Real, T>(&self, number: impl Fn(f64) -> R, end: impl Fn(R) -> T) -> Self::Results<T>;
+}
+
+/// A result in `f64`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rounded {
+    /// The number: infinite where it overflows, NaN where there is none.
+    pub value: f64,
+    /// What rounding made of it.
+    pub fate: Fate,
+}
+
+/// What rounding to `f64` makes of a result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// It has the digits that were promised.
+    Kept,
+    /// It is beyond the largest number.
+    Overflows,
+    /// It loses digits below the smallest normal number.
+    Underflows,
+    /// The formula has no value: it divides by zero, or takes the root of a negative number.
+    Missing,
+    /// The largest balls do not tell it, or whether its inputs lie in the domain.
+    Undecided,
+}
+
+impl Rounded {
+    /// A number that is the result, to its digits.
+    fn kept(value: f64) -> Self {
+        Rounded { value, fate: Fate::Kept }
+    }
+
+    fn of(result: Soft) -> Self {
+        let value = result.to_f64();
+        Self::rounded(value, result == Soft::from_f64(value))
+    }
+
+    /// A number that was rounded to nearest, and whether that left it as it was; NaN where there was none.
+    fn rounded(value: f64, exact: bool) -> Self {
+        let fate = match value {
+            _ if value.is_nan() => Fate::Missing,
+            _ if value.is_infinite() => Fate::Overflows,
+            _ if !value.is_normal() && !exact => Fate::Underflows,
+            _ => Fate::Kept,
+        };
+        Rounded { value, fate }
+    }
+
+    fn undecided() -> Self {
+        Rounded { value: f64::NAN, fate: Fate::Undecided }
+    }
+}
+
+/// The results, or the position of the first condition that does not hold.
+pub type Answer<S> = Result<<S as Steps>::Results<Rounded>, usize>;
+
+/// What a program in `f64` answers to finite inputs.
+pub fn plain<S: Steps>(steps: &S) -> Answer<S> {
+    let left = Cell::new(false);
+    let number = |value| Plain::<true>::new(value, &left);
+    attempt(steps, &left, number, |result| result.value()).unwrap_or_else(|| faithful(steps))
+}
+
+/// What a program answers to finite inputs with an error of less than one ulp.
+pub fn faithful<S: Steps>(steps: &S) -> Answer<S> {
+    let left = Cell::new(false);
+    let number = |value| Guarded::<true>::new(value, &left);
+    attempt(steps, &left, number, Guarded::round).unwrap_or_else(|| soft(steps))
+}
+
+/// In an arithmetic that neither over- nor underflows.
+fn soft<S: Steps>(steps: &S) -> Answer<S> {
+    match steps.violated(Soft::from_f64) {
+        Some(condition) => Err(condition),
+        None => Ok(steps.results(Soft::from_f64, Rounded::of)),
+    }
+}
+
+/// The answer in an arithmetic, unless it raises `left`. Steps behind the results do not count outside the domain.
+#[inline(always)]
+fn attempt<S: Steps, R: Real>(
+    steps: &S,
+    left: &Cell<bool>,
+    number: impl Fn(f64) -> R,
+    round: impl Fn(R) -> f64,
+) -> Option<Answer<S>> {
+    let violated = steps.violated(&number);
+    if left.get() {
+        return None;
+    }
+    if let Some(condition) = violated {
+        return Some(Err(condition));
+    }
+    let results = steps.results(number, |result| Rounded::kept(round(result)));
+    (!left.get()).then_some(Ok(results))
+}
+
+/// What a certified program answers to finite inputs: each result off by 0.51 ulp at most.
+pub fn certified<S: Steps>(steps: &S) -> Answer<S> {
+    let undecided = || Ok(steps.results(Soft::from_f64, |_| Rounded::undecided()));
+    in_balls::<S, 4>(steps)
+        .or_else(|| in_balls::<S, 16>(steps))
+        .or_else(|| in_balls::<S, 64>(steps))
+        .unwrap_or_else(undecided)
+}
+
+/// The answer in balls of `L` words; `None` where they are too few.
+#[inline(never)]
+fn in_balls<S: Steps, const L: usize>(steps: &S) -> Option<Answer<S>> {
+    let settling = Settling::default();
+    let number = |value| Ball::<L>::new(value, &settling);
+    let violated = steps.violated(number);
+    if settling.is_unsettled() {
+        return None;
+    }
+    if let Some(condition) = violated {
+        return Some(Err(condition));
+    }
+    let open = Cell::new(false);
+    let results = steps.results(number, |ball| {
+        let accepted = ball.accepted();
+        open.set(open.get() | accepted.is_none());
+        accepted.map_or_else(Rounded::undecided, |(value, exact)| Rounded::rounded(value, exact))
+    });
+    (!open.get() && !settling.is_unsettled()).then_some(Ok(results))
+}

@@ -1,0 +1,91 @@
+//! The signs that conditions tell: of inputs, of sums of two inputs, of whole `compensated!` expressions.
+
+use std::collections::BTreeMap;
+
+use crate::kernel::{BinaryOp, Comparison, Condition, Expr};
+use crate::print::expression_text;
+
+use super::bounds::{Bounds, Sign};
+
+/// What conditions tell, by the text of expressions.
+///
+/// All of these are evaluated without an error of sign wherever they stand: in `f64`, in double-double, inside slices.
+#[derive(Default)]
+pub(super) struct Signs(BTreeMap<String, Known>);
+
+/// A sign, and whether the number may be zero.
+#[derive(Clone, Copy)]
+struct Known {
+    sign: Sign,
+    zero: bool,
+}
+
+impl Signs {
+    /// The bounds of an expression, with its sign if that is known.
+    pub(super) fn refine(&self, expr: &Expr, bounds: Bounds) -> Bounds {
+        let known = if self.0.is_empty() || !is_exact(expr) { None } else { self.0.get(&expression_text(expr)) };
+        known.map_or(bounds, |known| Bounds { sign: known.sign, zero: known.zero && bounds.zero, ..bounds })
+    }
+
+    /// Takes a condition in that holds.
+    pub(super) fn learn(&mut self, condition: &Condition) {
+        match condition {
+            Condition::And(left, right) => [left, right].into_iter().for_each(|side| self.learn(side)),
+            Condition::Compare { op, left, right } if is_exact(left) && is_exact(right) => match op {
+                Comparison::Greater => self.above(left, right, false),
+                Comparison::GreaterEqual => self.above(left, right, true),
+                Comparison::Less => self.above(right, left, false),
+                Comparison::LessEqual => self.above(right, left, true),
+                Comparison::Equal | Comparison::NotEqual => {}
+            },
+            Condition::Compare { .. } | Condition::Or(..) | Condition::Not(_) => {}
+        }
+    }
+
+    /// `high` is larger than `low`, or perhaps `equal` to it.
+    fn above(&mut self, high: &Expr, low: &Expr, equal: bool) {
+        let (known_high, known_low) = (self.known(high), self.known(low));
+        if let Some(known) = known_low.filter(|known| known.sign == Sign::Positive) {
+            self.enter(high, Sign::Positive, known.zero && equal);
+        }
+        if let Some(known) = known_high.filter(|known| known.sign == Sign::Negative || is_zero(high)) {
+            self.enter(low, Sign::Negative, known.zero && equal);
+        }
+        let difference = |left: &Expr, right: &Expr| {
+            let (left, right) = (Box::new(left.clone()), Box::new(right.clone()));
+            Expr::Binary { op: BinaryOp::Sub, left, right }
+        };
+        self.enter(&difference(high, low), Sign::Positive, equal);
+        self.enter(&difference(low, high), Sign::Negative, equal);
+    }
+
+    fn enter(&mut self, expr: &Expr, sign: Sign, zero: bool) {
+        let before = self.0.entry(expression_text(expr)).or_insert(Known { sign, zero });
+        *before = Known { sign, zero: zero && before.zero };
+    }
+
+    /// What is known of an expression.
+    fn known(&self, expr: &Expr) -> Option<Known> {
+        match expr {
+            Expr::Literal { value, .. } => {
+                let Bounds { sign, zero, .. } = Bounds::literal(*value);
+                Some(Known { sign, zero })
+            }
+            _ => self.0.get(&expression_text(expr)).copied(),
+        }
+    }
+}
+
+fn is_zero(expr: &Expr) -> bool {
+    matches!(expr, Expr::Literal { value, .. } if *value == 0.0)
+}
+
+/// A name or number, a sum of two of them, or a `compensated!` expression.
+fn is_exact(expr: &Expr) -> bool {
+    let leaf = |expr: &Expr| matches!(expr, Expr::Name(_) | Expr::Literal { .. });
+    match expr {
+        Expr::Binary { op: BinaryOp::Add | BinaryOp::Sub, left, right } => leaf(left) && leaf(right),
+        Expr::Compensated(_) => true,
+        other => leaf(other),
+    }
+}

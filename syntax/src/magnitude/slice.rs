@@ -1,0 +1,81 @@
+//! Slices: the leading parts of their double-double numbers, and the sum of the magnitudes of their terms.
+
+use crate::kernel::{BinaryOp, Expr, Slice};
+
+use super::bounds::{Bounds, LEAST};
+use super::signs::Signs;
+
+/// Magnitudes between which a product in double-double is error-free, and that of a factor; a bit off the runtime's, since
+/// numbers in double-double are off by less than that from what they stand for.
+const PRODUCTS: (i64, i64) = (-968, 1021);
+const FACTOR: i64 = 995;
+
+/// A part of a slice.
+#[derive(Clone, Copy)]
+struct Part {
+    /// Its value.
+    value: Bounds,
+    /// The sum of the magnitudes of its terms.
+    size: Bounds,
+    /// Whether it is a number in double-double, not an operand.
+    wide: bool,
+}
+
+/// The value of a slice that is larger than its threshold.
+pub(super) fn compensated(slice: &Slice, signs: &Signs, leaf: &impl Fn(&Expr) -> Option<Bounds>) -> Option<Bounds> {
+    let Part { value, size, wide } = part(&slice.value, signs, leaf)?;
+    if !wide {
+        return Some(value);
+    }
+    // One place less for the roundings of the size.
+    let settled = Bounds::literal(slice.threshold).low + size.low - 1;
+    let value = Bounds { zero: false, low: value.low.max(settled), ..value };
+    Some(value.rounded())
+}
+
+/// The value of a residual, which may vanish.
+pub(super) fn residual(slice: &Expr, signs: &Signs, leaf: &impl Fn(&Expr) -> Option<Bounds>) -> Option<Bounds> {
+    Some(part(slice, signs, leaf)?.value.rounded())
+}
+
+fn part(slice: &Expr, signs: &Signs, leaf: &impl Fn(&Expr) -> Option<Bounds>) -> Option<Part> {
+    match slice {
+        Expr::Neg(inner) => Some(negated(part(inner, signs, leaf)?)),
+        Expr::Binary { op, left, right } => {
+            let (left, right) = (part(left, signs, leaf)?, part(right, signs, leaf)?);
+            let part = match op {
+                BinaryOp::Mul => product(left, right),
+                BinaryOp::Sub => sum(left, negated(right)),
+                BinaryOp::Add | BinaryOp::Div => sum(left, right),
+            };
+            part.map(|part| Part { value: signs.refine(slice, part.value), ..part })
+        }
+        operand => {
+            let value = leaf(operand)?;
+            Some(Part { value, size: value.magnitude(), wide: false })
+        }
+    }
+}
+
+fn negated(part: Part) -> Part {
+    Part { value: part.value.negated(), ..part }
+}
+
+fn sum(left: Part, right: Part) -> Option<Part> {
+    let value = on_grid(left.value.sum(right.value));
+    Some(Part { value, size: left.size.sum(right.size).finite()?, wide: true })
+}
+
+fn product(left: Part, right: Part) -> Option<Part> {
+    let value = on_grid(left.value.product(right.value));
+    let error_free = value.low >= PRODUCTS.0 && value.high <= PRODUCTS.1;
+    let split = left.value.high <= FACTOR && right.value.high <= FACTOR;
+    let size = left.size.product(right.size).finite()?;
+    (error_free && split).then_some(Part { value, size, wide: true })
+}
+
+/// Parts below the smallest number are lost, and so is what they were multiples of.
+fn on_grid(value: Bounds) -> Bounds {
+    let grid = value.grid.max(LEAST);
+    Bounds { grid, low: value.low.max(grid), ..value }
+}
