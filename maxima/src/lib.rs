@@ -27,7 +27,7 @@ mod token;
 pub use ast::{BinaryOperator, Expr, ExprKind, Statement, Terminator, UnaryOperator};
 pub use definition::{Definition, Worksheet, definition, definitions, worksheet};
 pub use double::{DoubleOperations, double_operations, evaluate_double};
-pub use error::{Error, Errors};
+pub use error::{DIGIT_LIMIT, Error, Errors};
 #[cfg(feature = "mpfr")]
 pub use evaluate::{EvalError, evaluate, evaluate_stable};
 pub use latex::to_latex;
