@@ -22,6 +22,7 @@ mod pattern;
 mod print;
 mod scope;
 mod slice;
+mod unit;
 
 pub use file::parse_file;
 pub use interpret::{Arithmetic, Violation, evaluate, violated};
@@ -32,6 +33,7 @@ pub use kernel::{
 pub use operations::{Operations, most_factors, operations, operations_of};
 pub use print::{condition_text, expression_text};
 pub use slice::{MAX_FACTORS, SliceArithmetic, fold_compensated, fold_residual};
+pub use unit::{BASES, Dimension, UnitError};
 
 use proc_macro2::TokenStream;
 use syn::{ItemFn, Result};
