@@ -9,7 +9,7 @@ use std::process::ExitCode;
 
 /// Maxima derivations to Rust kernels that keep their digits
 #[derive(Parser)]
-#[command(version)]
+#[command(name = "closedform", version)]
 struct Cli {
     /// The project, if not the one around the current folder
     #[arg(long, global = true, value_name = "DIR")]
