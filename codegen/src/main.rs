@@ -73,7 +73,7 @@ fn run(cli: Cli) -> miette::Result<ExitCode> {
         Command::Worker { output, folder, worksheet, kernels } => {
             let source = match (folder, worksheet, kernels) {
                 (_, Some(worksheet), _) => Source::Worksheet(worksheet),
-                (Some(folder), _, Some(kernels)) => Source::Rederived { folder, kernels },
+                (Some(folder), _, Some(kernels)) => Source::Rederived { folder, kernels, allow_system: false },
                 (Some(folder), _, None) => Source::Folder(folder),
                 (None, None, _) => return Err(root::nothing_named()),
             };

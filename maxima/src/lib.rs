@@ -20,6 +20,7 @@ pub mod exact;
 mod grammar;
 mod latex;
 mod lex;
+mod mention;
 mod parse;
 mod print;
 mod token;
@@ -31,5 +32,6 @@ pub use error::{DIGIT_LIMIT, Error, Errors};
 #[cfg(feature = "mpfr")]
 pub use evaluate::{EvalError, evaluate, evaluate_stable};
 pub use latex::to_latex;
+pub use mention::{Mention, mentions};
 pub use parse::{HEIGHT_LIMIT, NESTING_LIMIT, parse_expression, parse_statements};
 pub use print::{print, print_statement};

@@ -1,11 +1,12 @@
 //! Input makers: points inside, and outside, a domain, chosen where it hurts.
 
 use closedform::{Info, Input};
+use closedform_syntax::BASES;
 
 use crate::domain::Domain;
 use crate::random::Random;
 use crate::reference::Oracle;
-use crate::scaling::dimensions;
+use crate::scaling::{dimensions, factor, whole};
 use crate::zeros::{Zeros, subterms};
 
 /// Inputs other than zero stay within 2^-LIMIT to 2^LIMIT, lest a product over- or underflows, and closer where a slice
@@ -137,11 +138,20 @@ impl Space {
         let mut random = Random::new(seed, &format!("{} extreme", self.info.name));
         let units = dimensions(self.info, self.info.inputs.iter().map(|input| input.unit));
         let units = units.unwrap_or_else(|error| panic!("{error}"));
+        // what a unit has besides length and time
+        let others = [1, 3, 4, 5, 6].into_iter().filter(|base| units.iter().any(|unit| unit.halves[*base] != 0));
+        let halving = whole([1; BASES], &units)[0];
         let candidate = |random: &mut Random| {
             let maker = *random.pick(&[Maker::Edges, Maker::Wide, Maker::Logarithmic]);
             let mut point = self.candidate(if self.has(maker) { maker } else { Maker::Wide }, random)?;
             let [length, time] = [0, 1].map(|_| random.below(1_600) as i32 - 800);
-            point.iter_mut().zip(&units).for_each(|(value, unit)| *value *= unit.factor(length, time / 2));
+            let mut scale = [length, 0, time / 2, 0, 0, 0, 0];
+            for base in others.clone() {
+                scale[base] = random.below(800) as i32 - 400;
+            }
+            // a half power of an odd scale would be none of two
+            let scale = whole(scale.map(|power| power / halving), &units);
+            point.iter_mut().zip(&units).for_each(|(value, unit)| *value *= factor(unit, &scale));
             Some(point)
         };
         let inside = |point: &[f64]| point.iter().all(|value| value.is_finite()) && self.domain.contains(point);

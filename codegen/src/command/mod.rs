@@ -1,6 +1,7 @@
 //! The commands of `closedform`.
 
 pub mod check;
+mod columns;
 pub mod derive;
 pub mod description;
 pub mod eval;

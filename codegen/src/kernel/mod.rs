@@ -16,7 +16,7 @@ use crate::stable::rules::one_reciprocal::Products;
 use crate::stable::rules::{double_double, gathered, one_reciprocal};
 use crate::stable::stabilise;
 use crate::worksheet::contract::{Contract, KernelContract};
-use closedform_maxima::{Definition, print, to_latex};
+use closedform_maxima::{Definition, to_latex};
 use closedform_syntax::Precision;
 use thiserror::Error;
 
@@ -94,7 +94,7 @@ pub fn make(
     Ok(KernelText {
         name: kernel.name.clone(),
         doc: kernel.doc.clone(),
-        maxima: references.iter().map(definition_text).collect(),
+        maxima: references.iter().map(ToString::to_string).collect(),
         latex: references.iter().map(latex).collect::<Vec<_>>().join(r" \\ "),
         source: kernel.source.clone(),
         branch: kernel.branch.clone(),
@@ -108,10 +108,6 @@ pub fn make(
         program,
         graph: builder.graph,
     })
-}
-
-fn definition_text(reference: &Definition) -> String {
-    format!("{}({}):={}", reference.name, reference.parameters.join(","), print(&reference.body))
 }
 
 fn latex(reference: &Definition) -> String {
