@@ -69,7 +69,7 @@ fn is_package(name: &str) -> bool {
         && name.len() <= LONGEST
         && name.starts_with(|c: char| c.is_ascii_alphabetic())
         && !TAKEN_PACKAGES.contains(&name)
-        && !is_keyword(&module)
+        && !is_keyword(&module.to_ascii_lowercase())
         && !is_device(name)
 }
 
