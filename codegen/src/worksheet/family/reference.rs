@@ -182,12 +182,7 @@ pub(super) fn body_mistakes(definition: &Definition) -> Vec<ReferenceMistake> {
     let mut body = Body { definition, bound: Vec::new(), mistakes: Vec::new() };
     body.expression(&definition.body);
     if body.mistakes.is_empty() {
-        body.mistakes.extend(lower(&definition.body).err().map(|error| ReferenceMistake::Unsupported {
-            worksheet: definition.name.clone(),
-            what: error.what,
-            remedy: error.remedy,
-            span: error.span.into(),
-        }));
+        body.unsupported(&definition.body);
     }
     body.mistakes
 }
@@ -212,6 +207,7 @@ impl<'a> Body<'a> {
                 self.expression(right);
             }
             ExprKind::Call { .. } => self.call(expression),
+            ExprKind::If { .. } => self.unsupported(expression),
             _ => self.not_arithmetic(expression),
         }
     }
@@ -249,6 +245,17 @@ impl<'a> Body<'a> {
             }
             _ => self.not_arithmetic(variable),
         }
+    }
+
+    /// Says why the generator does not take the expression, if it does not.
+    fn unsupported(&mut self, expression: &Expr) {
+        let worksheet = self.definition.name.clone();
+        self.mistakes.extend(lower(expression).err().map(|error| ReferenceMistake::Unsupported {
+            worksheet,
+            what: error.what,
+            remedy: error.remedy,
+            span: error.span.into(),
+        }));
     }
 
     fn not_arithmetic(&mut self, place: &Expr) {
