@@ -5,7 +5,7 @@ use crate::kernel::{KernelError, ProofError, make, prove};
 use crate::program::cost;
 use crate::rust::{KernelText, ModuleText, print_module};
 use crate::worksheet::contract::KernelContract;
-use crate::worksheet::family::Family;
+use crate::worksheet::family::{Family, Paths};
 use crate::worksheet::sample::{EmptyDomain, sample};
 use closedform_maxima::Definition;
 use serde::{Deserialize, Serialize};
@@ -155,10 +155,11 @@ fn references_of(family: &Family, kernel: &KernelContract) -> Vec<Definition> {
 
 fn made_from(family: &Family) -> String {
     let file = |path: &Path| path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    if family.paths.contract.exists() {
-        format!("{} and {}", file(&family.paths.reference), file(&family.paths.contract))
-    } else {
-        file(&family.paths.worksheet)
+    let Paths { worksheet, contract, reference, .. } = &family.paths;
+    match (contract.exists(), reference.exists()) {
+        (false, _) => file(worksheet),
+        (true, false) => format!("{} and {}", file(worksheet), file(contract)),
+        (true, true) => format!("{} and {}", file(reference), file(contract)),
     }
 }
 
