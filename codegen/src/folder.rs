@@ -77,38 +77,43 @@ fn read(folder: &Path) -> io::Result<BTreeMap<String, String>> {
 /// # Errors
 /// When the folder cannot be written; files are then as they were, but for those already renamed.
 pub fn replace(folder: &Path, files: &BTreeMap<String, String>) -> io::Result<usize> {
-    let mut differences = compare(folder, files)?;
+    let written = write(folder, files)?;
     let present = read(folder)?;
-    differences.retain(|difference| !matches!(difference, Difference::Orphan(name) if !is_generated(&present[name])));
+    let orphans = present.iter().filter(|(name, text)| !files.contains_key(*name) && is_generated(text));
+    let orphans: Vec<&String> = orphans.map(|(name, _)| name).collect();
+    orphans.iter().try_for_each(|name| fs::remove_file(folder.join(name)))?;
+    Ok(written + orphans.len())
+}
+
+/// Writes what differs, each file in one step, and leaves all others; says how many files changed.
+///
+/// # Errors
+/// As [`replace`].
+pub fn write(folder: &Path, files: &BTreeMap<String, String>) -> io::Result<usize> {
     fs::create_dir_all(folder)?;
     let mut pending = Vec::new();
-    for difference in &differences {
+    for difference in &compare(folder, files)? {
         if let Difference::Stale(name, _) | Difference::Missing(name) = difference {
-            let mut file = tempfile::NamedTempFile::new_in(folder)?;
+            let mut file = beside(folder)?;
             file.write_all(files[name].as_bytes())?;
-            pending.push((file, name));
+            pending.push((file, name.clone()));
         }
     }
+    let changed = pending.len();
     for (file, name) in pending {
-        make_readable(file.as_file())?;
         file.persist(folder.join(name)).map_err(|error| error.error)?;
     }
-    for difference in &differences {
-        if let Difference::Orphan(name) = difference {
-            fs::remove_file(folder.join(name))?;
-        }
-    }
-    Ok(differences.len())
+    Ok(changed)
 }
 
-/// Temporary files are private; generated ones are for everybody to read.
-#[cfg(unix)]
-fn make_readable(file: &fs::File) -> io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    file.set_permissions(fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn make_readable(_file: &fs::File) -> io::Result<()> {
-    Ok(())
+/// A file that is to be moved into this folder, for everybody to read as any other new file.
+///
+/// # Errors
+/// When the folder cannot be written.
+pub fn beside(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".closedform-");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666)); // less what the user's umask takes
+    builder.tempfile_in(folder)
 }

@@ -23,6 +23,9 @@ pub const POINTS: u32 = 200;
 /// The ledger's file, below the root.
 const FILE: &str = "tests/LEDGER.csv";
 
+/// How every ledger begins; a file that does not is none, and is left alone.
+const FIRST_COLUMNS: &str = "kernel,result,";
+
 /// One result of a kernel.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
@@ -138,6 +141,13 @@ pub fn update(root: &Path, rows: &[Row]) -> miette::Result<bool> {
     let Some((expected, present)) = expected(root, rows)? else { return Ok(false) };
     if expected == present {
         return Ok(false);
+    }
+    if !present.is_empty() && !present.starts_with(FIRST_COLUMNS) {
+        miette::bail!(
+            help = "rename it if it is yours, or delete it",
+            "{} is no ledger of kernels",
+            path(root).display()
+        );
     }
     write(root, &expected).map_err(|cause| {
         miette::miette!(help = "get the right to write there", "cannot write {}: {cause}", path(root).display())

@@ -4,7 +4,6 @@ pub mod algebra;
 pub mod bound_proof;
 pub mod catalogue;
 pub mod command;
-pub mod crate_text;
 #[cfg(test)]
 mod drawn;
 pub mod expression;
@@ -14,8 +13,10 @@ pub mod hunt;
 pub mod kept;
 pub mod kernel;
 pub mod ledger;
+pub mod markdown;
 pub mod measure;
 pub mod mutate;
+pub mod own_crate;
 pub mod pipeline;
 pub mod program;
 pub mod root;

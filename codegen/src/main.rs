@@ -9,7 +9,7 @@ use std::process::ExitCode;
 
 /// Maxima derivations to Rust kernels that keep their digits
 #[derive(Parser)]
-#[command(version)]
+#[command(name = "closedform", version)]
 struct Cli {
     /// The project, if not the one around the current folder
     #[arg(long, global = true, value_name = "DIR")]
@@ -75,7 +75,7 @@ fn run(cli: Cli) -> miette::Result<ExitCode> {
         Command::Worker { output, folder, worksheet, kernels } => {
             let source = match (folder, worksheet, kernels) {
                 (_, Some(worksheet), _) => Source::Worksheet(worksheet),
-                (Some(folder), _, Some(kernels)) => Source::Rederived { folder, kernels },
+                (Some(folder), _, Some(kernels)) => Source::Rederived { folder, kernels, allow_system: false },
                 (Some(folder), _, None) => Source::Folder(folder),
                 (None, None, _) => return Err(root::nothing_named()),
             };

@@ -6,7 +6,7 @@ use crate::program::cost;
 use crate::rust::{KernelText, ModuleText, print_module};
 use crate::stated::with_certificates;
 use crate::worksheet::contract::KernelContract;
-use crate::worksheet::family::Family;
+use crate::worksheet::family::{Family, Paths};
 use crate::worksheet::sample::{EmptyDomain, sample};
 use closedform_maxima::Definition;
 use serde::{Deserialize, Serialize};
@@ -189,7 +189,7 @@ fn make_kernel(family: &Family, kernel: &KernelContract, name: String) -> Result
     sample(&kernel.domain, &inputs, 1, 0).map_err(|cause| PipelineError::Empty { kernel: name.clone(), cause })?;
     let references = references_of(family, kernel);
     let made = match make(&family.contract, kernel, &references) {
-        Err(cause) if cause.leaves_the_formula_as_written(kernel) => as_written(family, kernel, cause.to_string()),
+        Err(cause) if cause.leaves_the_formula_as_written(family.paths.contract.exists()) => as_written(family, kernel, cause.to_string()),
         Ok(made) if !reads_back(family, &made) => as_written(family, kernel, TOO_LARGE.to_owned()),
         made => made,
     };
@@ -216,10 +216,11 @@ fn references_of(family: &Family, kernel: &KernelContract) -> Vec<Definition> {
 
 fn made_from(family: &Family) -> String {
     let file = |path: &Path| path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    if family.paths.contract.exists() {
-        format!("{} and {}", file(&family.paths.reference), file(&family.paths.contract))
-    } else {
-        file(&family.paths.worksheet)
+    let Paths { worksheet, contract, reference, .. } = &family.paths;
+    match (contract.exists(), reference.exists()) {
+        (false, _) => file(worksheet),
+        (true, false) => format!("{} and {}", file(worksheet), file(contract)),
+        (true, true) => format!("{} and {}", file(reference), file(contract)),
     }
 }
 

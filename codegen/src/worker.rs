@@ -7,6 +7,7 @@ use crate::algebra::{Turn, TurnError};
 use crate::pipeline::{Generated, PipelineError, all, generate, unproved};
 use crate::worksheet::derive::{DeriveError, Options, rederive};
 use crate::worksheet::family::{Family, FamilyError, families};
+use crate::worksheet::maxima_process::ALLOW_SYSTEM_VARIABLE;
 use indicatif::{ProgressBar, ProgressStyle};
 use miette::Diagnostic;
 use std::path::{Path, PathBuf};
@@ -27,6 +28,8 @@ pub enum Source {
         folder: PathBuf,
         /// The kernels.
         kernels: PathBuf,
+        /// Whether the worksheets may start programs, touch files and run Lisp.
+        allow_system: bool,
     },
 }
 
@@ -84,7 +87,12 @@ pub fn run(source: &Source) -> Result<Generated, WorkerError> {
     match source {
         Source::Folder(folder) => command.arg("--folder").arg(folder),
         Source::Worksheet(worksheet) => command.arg("--worksheet").arg(worksheet),
-        Source::Rederived { folder, kernels } => command.arg("--folder").arg(folder).arg("--kernels").arg(kernels),
+        Source::Rederived { folder, kernels, allow_system } => {
+            if *allow_system {
+                command.env(ALLOW_SYSTEM_VARIABLE, "1");
+            }
+            command.arg("--folder").arg(folder).arg("--kernels").arg(kernels)
+        }
     };
     let status = command.stdin(Stdio::null()).stdout(Stdio::from(io::stderr())).status()?;
     match status.code() {
@@ -102,7 +110,7 @@ pub fn work(source: &Source, output: &Path) -> Result<(), WorkerError> {
     let generated = match source {
         Source::Folder(folder) => generated(&families(folder)?)?,
         Source::Worksheet(worksheet) => generated(&[Family::from_worksheet(worksheet)?])?,
-        Source::Rederived { folder, kernels } => {
+        Source::Rederived { folder, kernels, .. } => {
             rederived(folder, kernels)?;
             Generated::default()
         }

@@ -7,6 +7,9 @@ use thiserror::Error;
 
 use crate::parse::{HEIGHT_LIMIT, NESTING_LIMIT};
 
+/// How many digits a number may have: more than any result keeps, few enough to be read at once.
+pub const DIGIT_LIMIT: usize = 10_000;
+
 /// One thing wrong with a text, where, and what to do about it.
 #[derive(Debug, Clone, PartialEq, Eq, Error, Diagnostic)]
 pub enum Error {
@@ -42,6 +45,14 @@ pub enum Error {
     MalformedNumber {
         /// Where it stands.
         #[label("digits are missing here")]
+        span: Range<usize>,
+    },
+    /// A number that takes longer to read than anybody waits for.
+    #[error("number of more than {DIGIT_LIMIT} digits")]
+    #[diagnostic(help("round it: no result keeps more than some seventeen digits"))]
+    LongNumber {
+        /// Where it stands.
+        #[label("too many digits")]
         span: Range<usize>,
     },
     /// A token where another kind of token must stand.
@@ -150,6 +161,7 @@ impl Error {
             | Self::UnterminatedComment { span }
             | Self::UnterminatedString { span }
             | Self::MalformedNumber { span }
+            | Self::LongNumber { span }
             | Self::UnexpectedToken { span, .. }
             | Self::MissingTerminator { span }
             | Self::OperandMode { span, .. }

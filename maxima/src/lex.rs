@@ -8,7 +8,7 @@ use winnow::prelude::*;
 use winnow::stream::{LocatingSlice, Location, Stream};
 use winnow::token::{any, literal, none_of, one_of, take_while};
 
-use crate::error::Error;
+use crate::error::{DIGIT_LIMIT, Error};
 use crate::token::{HIDE, MARKS, Token, TokenKind, WORDS};
 
 type Input<'a> = LocatingSlice<&'a str>;
@@ -17,10 +17,14 @@ type Lexed<T> = Result<T, EmptyError>;
 /// What stands between the mantissa and the exponent of a number.
 const EXPONENT_LETTERS: [char; 12] = ['e', 'E', 'b', 'B', 'd', 'D', 'f', 'F', 's', 'S', 'l', 'L'];
 
+/// What some editors put before a text to say that it is Unicode.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
 /// All tokens of `text`, the last one being the end, and everything that is none.
 pub(crate) fn lex(text: &str) -> (Vec<Token>, Vec<Error>) {
     let (mut tokens, mut errors) = (Vec::new(), Vec::new());
     let mut input = Input::new(text);
+    let _ = opt(BYTE_ORDER_MARK).parse_next(&mut input) as Lexed<_>;
     loop {
         skip_blank(&mut input);
         let (start, checkpoint) = (input.current_token_start(), input.checkpoint());
@@ -42,7 +46,7 @@ pub(crate) fn lex(text: &str) -> (Vec<Token>, Vec<Error>) {
 /// Where to go on after an error.
 fn resume(error: &Error, end: usize) -> usize {
     match error {
-        Error::UnknownCharacter { span, .. } | Error::MalformedNumber { span } => span.end,
+        Error::UnknownCharacter { span, .. } | Error::MalformedNumber { span } | Error::LongNumber { span } => span.end,
         _ => end,
     }
 }
@@ -55,8 +59,18 @@ fn diagnose(rest: &str, start: usize) -> Error {
     }
     match first {
         '"' => Error::UnterminatedString { span: start..start + 1 },
-        '.' | '0'..='9' => Error::MalformedNumber { span: malformed_number(rest, start) },
+        '.' | '0'..='9' => wrong_number(rest, start),
         _ => Error::UnknownCharacter { character: first, span: start..start + first.len_utf8() },
+    }
+}
+
+fn wrong_number(rest: &str, start: usize) -> Error {
+    let mut input = Input::new(rest);
+    match mantissa(&mut input) {
+        Ok(mantissa) if mantissa.len() > DIGIT_LIMIT => {
+            Error::LongNumber { span: start..start + input.current_token_start() }
+        }
+        _ => Error::MalformedNumber { span: malformed_number(rest, start) },
     }
 }
 
@@ -102,9 +116,11 @@ fn comment(input: &mut Input) -> Lexed<()> {
     Ok(())
 }
 
+/// Digits, which may go on in the next line; there is one at least.
 fn digits(input: &mut Input) -> Lexed<String> {
     let piece = alt((take_while(1.., '0'..='9'), continuation.value("")));
-    repeat(1.., piece).fold(String::new, |all, piece| all + piece).parse_next(input)
+    let digits = repeat(1.., piece).fold(String::new, |all, piece| all + piece);
+    digits.verify(|digits: &String| !digits.is_empty()).parse_next(input)
 }
 
 fn mantissa(input: &mut Input) -> Lexed<String> {
@@ -128,7 +144,7 @@ fn exponent(input: &mut Input) -> Lexed<String> {
 
 fn number(input: &mut Input) -> Lexed<TokenKind> {
     peek(one_of(('0'..='9', '.'))).parse_next(input)?;
-    let mantissa = mantissa(input)?;
+    let mantissa = mantissa.verify(|mantissa: &String| mantissa.len() <= DIGIT_LIMIT).parse_next(input)?;
     if opt(peek(one_of(EXPONENT_LETTERS))).parse_next(input)?.is_none() {
         return plain_number(mantissa);
     }

@@ -5,6 +5,7 @@ use std::fmt;
 use num_bigint::Sign;
 
 use crate::ast::{BinaryOperator, Branch, Expr, ExprKind, LoopClause, Quoting, Statement, Terminator, UnaryOperator};
+use crate::definition::Definition;
 use crate::grammar::{APPLICATION, BODY, COMMA, CONDITION, DELIMITER, Mode, POSTFIX, Power, QUOTE, SIGN, mode};
 use crate::lex::{begins_symbol, continues_symbol};
 
@@ -36,6 +37,15 @@ pub fn print_statement(statement: &Statement) -> String {
 impl fmt::Display for Expr {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&print(self))
+    }
+}
+
+impl fmt::Display for Definition {
+    /// As `f(x,y):=body`, the names spelt so that they read back.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let symbol = |name: &String| print(&ExprKind::Symbol(name.clone()).into());
+        let parameters: Vec<String> = self.parameters.iter().map(symbol).collect();
+        write!(f, "{}({}):={}", symbol(&self.name), parameters.join(","), self.body)
     }
 }
 

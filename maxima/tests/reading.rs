@@ -2,7 +2,8 @@
 
 use closedform_maxima::exact::{self, ExactError};
 use closedform_maxima::{
-    ExprKind, Terminator, definitions, parse_expression, parse_statements, print, to_latex, worksheet,
+    DIGIT_LIMIT, Error, ExprKind, Terminator, definitions, parse_expression, parse_statements, print, to_latex,
+    worksheet,
 };
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -40,6 +41,33 @@ fn continued_lines_are_joined() {
         print(&parse_expression("12\\\n34 + ab\\\ncd + \"a\\\nb\" \\\n + 1").expect("parses")),
         "1234+abcd+\"ab\"+1"
     );
+}
+
+#[test]
+fn a_number_has_its_digits_even_across_lines() {
+    assert_eq!(print(&parse_expression("1\\\n.\\\n5e\\\n3").expect("parses")), "1.5e3");
+    for text in ["1e\\\n", "1e\\\n+x", "2.5b\\\n;", "1e-\\\n", ".\\\n"] {
+        parse_expression(text).expect_err(text);
+    }
+}
+
+#[test]
+fn a_byte_order_mark_is_passed_over_where_it_belongs() {
+    let sheet = worksheet("\u{feff}f(x):=x$").expect("parses");
+    assert_eq!(sheet.definitions[0].span, 3..10);
+    worksheet("f(x):=\u{feff}x$").expect_err("in the middle it is a character that Maxima does not know");
+}
+
+#[test]
+fn numbers_without_end_are_refused_at_once() {
+    let longest = "9".repeat(DIGIT_LIMIT);
+    parse_expression(&longest).expect("parses");
+    for number in
+        ["9".repeat(1_000_000), format!("0.{}", "3".repeat(1_000_000)), format!("{}b0", "1".repeat(1_000_000))]
+    {
+        let error = parse_expression(&number).expect_err("too many digits");
+        assert!(matches!(error, Error::LongNumber { .. }), "{error}");
+    }
 }
 
 #[test]

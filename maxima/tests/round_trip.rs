@@ -114,3 +114,13 @@ fn comments_nest_without_end() {
     let text = format!("{} x {}", "/*".repeat(100_000), "*/".repeat(100_000));
     assert_eq!(parse_statements(&text), Ok(Vec::new()));
 }
+
+#[test]
+fn definitions_of_odd_names_read_back() {
+    let text = "f\\-1(x\\-y,2\\ z):=x\\-y+1$".replace("2\\ z", "a\\ z");
+    let definitions = closedform_maxima::definitions(&text).expect("parses");
+    assert_eq!(definitions[0].parameters, ["x-y", "a z"]);
+    let again = closedform_maxima::definitions(&format!("{}$", definitions[0])).expect("parses again");
+    assert_eq!((&again[0].name, &again[0].body), (&definitions[0].name, &definitions[0].body));
+    assert_eq!(again[0].parameters, definitions[0].parameters);
+}

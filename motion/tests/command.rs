@@ -174,9 +174,39 @@ fn a_place_that_cannot_be_written_is_exit_code_1() {
 }
 
 #[test]
-fn help_reads_as_the_main_command() {
+fn files_that_the_plan_is_read_from_stay() {
     let folder = folder();
-    assert!(good(folder.path(), "plan scan-skip --help").contains("Usage: closedform plan scan-skip [OPTIONS]"));
-    assert!(good(folder.path(), "--help").contains("Usage: closedform <COMMAND>"));
+    let path = folder.path();
+    let points = "0,0\n0.2,0.4\n0.7,-0.5\n-1,0.1\n";
+    fs::write(path.join("p.csv"), points).expect("written");
+    fs::write(path.join("p.toml"), "points-file = \"p.csv\"\n").expect("written");
+    fs::write(path.join("m.svg"), PROGRAM).expect("written");
+    let read = |name: &str| fs::read_to_string(path.join(name)).expect("a file");
+    for arguments in [
+        "plan waypoints --points-file p.csv --table p.csv",
+        "plan waypoints --points-file ./p.csv --table p.csv",
+        "plan waypoints --file p.toml --table p.csv",
+        "plan milling --points-file p.csv --feed 10 --table p.csv",
+        "plan milling --gcode m.svg --picture m.svg",
+    ] {
+        assert!(bad(path, arguments, 2).contains("the plan is read from this file: give --"), "{arguments}");
+        assert_eq!((read("p.csv"), read("m.svg")), (points.to_owned(), PROGRAM.to_owned()), "{arguments}");
+    }
+    fs::rename(path.join("p.toml"), path.join("p.json")).expect("renamed");
+    bad(path, "plan waypoints --file p.json --table p.json", 2);
+    // A table that was written before is written anew.
+    good(path, "plan waypoints --points-file p.csv --table q.csv");
+    good(path, "plan waypoints --points-file p.csv --table q.csv");
+}
+
+#[test]
+fn help_and_version_name_the_command_that_was_typed() {
+    let folder = folder();
+    assert!(good(folder.path(), "plan scan-skip --help").contains("Usage: closedform-motion plan scan-skip [OPTIONS]"));
+    assert!(good(folder.path(), "--help").contains("Usage: closedform-motion <COMMAND>"));
+    assert!(good(folder.path(), "--version").starts_with("closedform-motion "));
     assert!(!good(folder.path(), "--help").contains("gallery"));
+    let mut handed_on = Command::new(env!("CARGO_BIN_EXE_closedform-motion"));
+    let output = handed_on.env("CLOSEDFORM_HANDS_ON", "1").args(["plan", "--help"]).output().expect("runs");
+    assert!(String::from_utf8_lossy(&output.stdout).contains("Usage: closedform plan <COMMAND>"));
 }

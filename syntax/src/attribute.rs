@@ -247,7 +247,7 @@ fn described(item: &Meta, errors: &mut Errors) -> Described {
     described
 }
 
-/// The first paragraph of the documentation, in one line.
+/// The first paragraph of the documentation, in one line, as a page shows it.
 fn summary(attributes: &[Attribute]) -> String {
     let lines = attributes.iter().filter_map(|attribute| match &attribute.meta {
         Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
@@ -258,5 +258,28 @@ fn summary(attributes: &[Attribute]) -> String {
     });
     let documentation = lines.collect::<Vec<_>>().join("\n");
     let paragraph = documentation.lines().map(str::trim).skip_while(|line| line.is_empty());
-    paragraph.take_while(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")
+    without_escapes(&paragraph.take_while(|line| !line.is_empty()).collect::<Vec<_>>().join(" "))
+}
+
+/// Markdown without the backslashes that take the meaning of what follows; code has none.
+fn without_escapes(text: &str) -> String {
+    let (mut shown, mut in_code) = (String::with_capacity(text.len()), false);
+    let mut letters = text.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let escaped = letters.next_if(|next| letter == '\\' && !in_code && next.is_ascii_punctuation());
+        in_code ^= letter == '`';
+        shown.push(escaped.unwrap_or(letter));
+    }
+    shown
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_summary_is_what_a_page_shows() {
+        assert_eq!(without_escapes(r"v0 = kv0\*x4/t1, s\[1], C:\\ and \\\*"), r"v0 = kv0*x4/t1, s[1], C:\ and \*");
+        assert_eq!(without_escapes(r"`a\*b` \` \* \a"), r"`a\*b` ` * \a");
+    }
 }

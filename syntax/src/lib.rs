@@ -28,6 +28,7 @@ mod pattern;
 mod print;
 mod scope;
 mod slice;
+mod unit;
 mod walk;
 
 pub use certificate::{RULES, certificate, certified};
@@ -42,6 +43,7 @@ pub use magnitude::ordinary;
 pub use operations::{Operations, operations, operations_of};
 pub use print::{condition_text, expression_text};
 pub use slice::{MAX_FACTORS, SliceArithmetic, fold_compensated, fold_residual};
+pub use unit::{BASES, Dimension, UnitError};
 
 use proc_macro2::TokenStream;
 use syn::{ItemFn, Result};

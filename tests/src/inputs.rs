@@ -1,11 +1,12 @@
 //! Input makers: points inside, and outside, a domain, chosen where it hurts.
 
 use closedform::{Info, Input};
+use closedform_syntax::{BASES, Dimension};
 
 use crate::domain::Domain;
 use crate::random::Random;
 use crate::reference::Oracle;
-use crate::scaling::{Dimension, dimensions};
+use crate::scaling::{dimensions, factor, whole};
 use crate::zeros::{Zeros, subterms};
 
 /// The exponents of the least number, of the least normal one, and of the largest power of two.
@@ -84,8 +85,8 @@ pub struct Space {
     signs: Vec<Vec<f64>>,
     /// Pairs of inputs of one unit.
     pairs: Vec<(usize, usize)>,
-    /// The units of the inputs, where they are of length and time.
-    units: Option<Vec<Dimension>>,
+    /// The units of the inputs.
+    units: Vec<Dimension>,
 }
 
 impl Space {
@@ -99,7 +100,8 @@ impl Space {
         oracle.bodies().iter().for_each(|body| subterms(body, &mut inside));
         let (edges, subterms) = (zeros(domain.edges()), zeros(inside));
         let signs = info.inputs.iter().enumerate().map(|(position, input)| signs(&domain, position, input)).collect();
-        let units = dimensions(info, info.inputs.iter().map(|input| input.unit)).ok();
+        let units = dimensions(info, info.inputs.iter().map(|input| input.unit));
+        let units = units.unwrap_or_else(|error| panic!("{error}"));
         Space { info, domain, edges, subterms, signs, pairs: pairs(info.inputs), units }
     }
 
@@ -189,17 +191,21 @@ impl Space {
                 Some(point)
             }
             3 => self.nudged_zero(&self.edges, Maker::Extreme, random),
-            _ => {
-                let maker = *random.pick(&[Maker::Edges, Maker::Wide, Maker::Logarithmic]);
-                let mut point = self.candidate(if self.has(maker) { maker } else { Maker::Wide }, random)?;
-                let [length, time] = [0, 1].map(|_| random.below(1_600) as i32 - 800);
-                point
-                    .iter_mut()
-                    .zip(self.units.iter().flatten())
-                    .for_each(|(value, unit)| *value *= unit.factor(length, time / 2));
-                Some(point)
-            }
+            _ => self.in_other_units(random),
         }
+    }
+
+    /// A point of another maker in units so large or small that steps over- and underflow.
+    fn in_other_units(&self, random: &mut Random) -> Option<Vec<f64>> {
+        let maker = *random.pick(&[Maker::Edges, Maker::Wide, Maker::Logarithmic]);
+        let mut point = self.candidate(if self.has(maker) { maker } else { Maker::Wide }, random)?;
+        // a half power of an odd scale would be none of two
+        let halving = whole([1; BASES], &self.units)[0];
+        let mut scale = [0; BASES].map(|_: i32| random.below(800) as i32 - 400);
+        [scale[0], scale[2]] = [random.below(1_600) as i32 - 800, random.below(800) as i32 - 400];
+        let scale = whole(scale.map(|power| power / halving), &self.units);
+        point.iter_mut().zip(&self.units).for_each(|(value, unit)| *value *= factor(unit, &scale));
+        Some(point)
     }
 
     /// A magnitude for each input, with one of its signs.

@@ -1,45 +1,41 @@
-//! The law of units: other units of length and time change results by their powers, bit for bit.
+//! The law of units: other base units change results by the powers of their dimensions, bit for bit.
 
 use closedform::{Info, Kernel};
+use closedform_syntax::{BASES, Dimension};
 
 use crate::inputs::Points;
 
-/// Powers of length and time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Dimension {
-    /// The power of the metre.
-    pub length: i32,
-    /// The power of the second.
-    pub time: i32,
+/// Units that a point is given in instead of its own: the powers of two that the base dimensions are multiplied by.
+pub(crate) type Scale = [i32; BASES];
+
+/// Scales of length and time, and of every other base dimension.
+const SCALES: [Scale; 10] = [
+    [1, 0, 0, 0, 0, 0, 0],
+    [-7, 0, 0, 0, 0, 0, 0],
+    [0, 0, 1, 0, 0, 0, 0],
+    [0, 0, -5, 0, 0, 0, 0],
+    [3, 0, 2, 0, 0, 0, 0],
+    [0, 1, 0, 0, 0, 0, 0],
+    [0, 0, 0, -3, 0, 0, 0],
+    [0, 0, 0, 0, 2, 0, 0],
+    [0, 0, 0, 0, 0, -1, 0],
+    [0, 0, 0, 0, 0, 0, 5],
+];
+
+/// What a number of this dimension is multiplied by. A half power of a scale that is odd is none of two.
+pub(crate) fn factor(dimension: &Dimension, scale: &Scale) -> f64 {
+    let halves: i32 = dimension.halves.iter().zip(scale).map(|(power, scale)| power * scale).sum();
+    2.0_f64.powi(halves / 2)
 }
 
-impl Dimension {
-    /// The dimension of a unit such as `m/s^2`, `s` or `1`.
-    pub fn parse(unit: &str) -> Option<Self> {
-        let mut dimension = Dimension { length: 0, time: 0 };
-        for (position, part) in unit.split('/').enumerate() {
-            let sign = if position == 0 { 1 } else { -1 };
-            for factor in part.split('*') {
-                let (base, power) = factor.split_once('^').unwrap_or((factor, "1"));
-                let power = sign * power.parse::<i32>().ok()?;
-                match base {
-                    "m" | "mm" => dimension.length += power,
-                    "s" => dimension.time += power,
-                    "1" => {}
-                    _ => return None,
-                }
-            }
-        }
-        Some(dimension)
-    }
-
-    /// What a number of this dimension is multiplied by when lengths are by 2^length and times by 2^time.
-    pub(crate) fn factor(self, length: i32, time: i32) -> f64 {
-        2.0_f64.powi(self.length * length + self.time * time)
-    }
+/// The scale of which all these dimensions have whole powers: twice as large where one has a half power.
+pub(crate) fn whole(scale: Scale, dimensions: &[Dimension]) -> Scale {
+    let odd = |power: &i32| power % 2 != 0;
+    let has_half = dimensions.iter().any(|dimension| dimension.halves.iter().any(odd));
+    if has_half { scale.map(|power| 2 * power) } else { scale }
 }
 
-/// Demands that lengths and times scaled by powers of two scale the results, bit for bit.
+/// Demands that base dimensions scaled by powers of two scale the results, bit for bit.
 ///
 /// # Errors
 ///
@@ -48,15 +44,20 @@ pub fn check_scaling(kernel: &Kernel, points: &Points) -> Result<(), String> {
     let info = kernel.info;
     let inputs = dimensions(info, info.inputs.iter().map(|input| input.unit))?;
     let results = dimensions(info, info.results.iter().map(|result| result.unit))?;
+    let all: Vec<Dimension> = inputs.iter().chain(&results).copied().collect();
+    let scales = SCALES.map(|scale| whole(scale, &all));
+    let used =
+        |scale: &&Scale| all.iter().any(|dimension| dimension.halves.iter().zip(*scale).any(|(p, s)| p * s != 0));
     for point in &points.list {
-        for (length, time) in [(1, 0), (-7, 0), (0, 1), (0, -5), (3, 2)] {
+        let original = values(kernel, point);
+        for scale in scales.iter().filter(used) {
             let by = |dimensions: &[Dimension], values: &[f64]| -> Vec<f64> {
-                dimensions.iter().zip(values).map(|(dimension, value)| value * dimension.factor(length, time)).collect()
+                dimensions.iter().zip(values).map(|(dimension, value)| value * factor(dimension, scale)).collect()
             };
             let found = values(kernel, &by(&inputs, point));
-            let expected = by(&results, &values(kernel, point));
+            let expected = by(&results, &original);
             if found != expected {
-                let what = format!("lengths times 2^{length}, times times 2^{time}: {found:?}, not {expected:?}");
+                let what = format!("base units times two to the powers {scale:?}: {found:?}, not {expected:?}");
                 return Err(format!("{}({point:?}), {what} ({})", info.name, points.origin));
             }
         }
@@ -65,7 +66,7 @@ pub fn check_scaling(kernel: &Kernel, points: &Points) -> Result<(), String> {
 }
 
 pub(crate) fn dimensions<'a>(info: &Info, units: impl Iterator<Item = &'a str>) -> Result<Vec<Dimension>, String> {
-    let parse = |unit: &str| Dimension::parse(unit).ok_or_else(|| format!("{}: unit `{unit}`", info.name));
+    let parse = |unit: &str| Dimension::of_unit(unit).map_err(|error| format!("{}: unit `{unit}`: {error}", info.name));
     units.map(parse).collect()
 }
 
@@ -77,15 +78,17 @@ fn values(kernel: &Kernel, inputs: &[f64]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::Dimension;
+    use super::{Dimension, factor, whole};
 
     #[test]
-    fn units_are_powers_of_length_and_time() {
-        let units = [("m", 1, 0), ("m/s^2", 1, -2), ("s^2", 0, 2), ("1", 0, 0), ("1/s", 0, -1), ("s^3/m", -1, 3)];
-        for (unit, length, time) in units {
-            assert_eq!(Dimension::parse(unit), Some(Dimension { length, time }), "{unit}");
+    fn numbers_scale_by_the_powers_of_their_dimension() {
+        let unit = |text: &str| Dimension::of_unit(text).expect(text);
+        let scale = [3, 1, -2, 0, 0, 0, 0];
+        for (text, power) in [("m", 3), ("m/s^2", 7), ("N", 8), ("1", 0), ("deg", 0), ("1/s", 2)] {
+            assert_eq!(factor(&unit(text), &scale), 2.0_f64.powi(power), "{text}");
         }
-        assert_eq!(Dimension::parse("kg"), None);
-        assert_eq!(Dimension::parse(""), None);
+        let root = unit("m^(1/2)");
+        assert_eq!(factor(&root, &whole(scale, &[root])), 8.0);
+        assert_eq!(whole(scale, &[unit("m")]), scale);
     }
 }

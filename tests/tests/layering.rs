@@ -6,7 +6,7 @@ use closedform_tests::layering::{self, Edge};
 use closedform_tests::workspace;
 
 /// What crates may depend on, among those of the workspace.
-const CRATES: [(&str, &str); 14] = [
+const CRATES: [(&str, &str); 15] = [
     ("closedform", "closedform-derive"),
     ("closedform-bounds", "closedform-syntax"),
     ("closedform-codegen", "closedform"),
@@ -21,13 +21,14 @@ const CRATES: [(&str, &str); 14] = [
     ("closedform-tests", "closedform-bounds"),
     ("closedform-tests", "closedform-kernels"),
     ("closedform-tests", "closedform-maxima"),
+    ("closedform-tests", "closedform-syntax"),
 ];
 
 /// What their tests may depend on besides.
 const CRATES_IN_TESTS: [(&str, &str); 1] = [("closedform-derive", "closedform")];
 
 /// What the stages of the generator may name of one another: the printer, `rust`, decides nothing.
-const STAGES: [(&str, &str); 14] = [
+const STAGES: [(&str, &str); 15] = [
     ("field", "algebra"),
     ("field", "expression"),
     ("mutate", "bound_proof"),
@@ -36,6 +37,7 @@ const STAGES: [(&str, &str); 14] = [
     ("mutate", "measure"),
     ("mutate", "worksheet"),
     ("program", "field"),
+    ("rust", "markdown"),
     ("rust", "program"),
     ("stable", "algebra"),
     ("stable", "field"),

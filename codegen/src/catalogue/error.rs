@@ -16,7 +16,7 @@ pub enum CatalogueError {
     Read(#[from] ReadError),
     /// A source is not what the generator writes.
     #[error("{} is not kernel language: {}", path.display(), messages(cause))]
-    #[diagnostic(help("run `closedform generate`, which writes this file; it is not edited by hand"))]
+    #[diagnostic(help("`closedform generate` makes a generated file anew; correct one that is written by hand"))]
     NotKernels {
         /// The file.
         path: PathBuf,
@@ -25,7 +25,9 @@ pub enum CatalogueError {
     },
     /// Nothing was generated yet.
     #[error("no kernels below {}", root.display())]
-    #[diagnostic(help("run `closedform generate`, or name the project with --root"))]
+    #[diagnostic(help(
+        "run `closedform generate`, for a worksheet alone with `--input NAME.mac --out DIR`; or name the project with --root"
+    ))]
     NoKernels {
         /// Where they were looked for.
         root: PathBuf,

@@ -20,6 +20,9 @@ pub struct Args {
     /// Run the worksheets in Maxima, and hold kernels, golden values and verdicts against what it derives
     #[arg(long)]
     maxima: bool,
+    /// Let worksheets start programs, touch files and run Lisp, with your rights
+    #[arg(long, requires = "maxima")]
+    allow_system: bool,
 }
 
 /// What is not as it should be.
@@ -42,7 +45,7 @@ enum CheckError {
 /// When something is stale, unproved, or not what Maxima derives, or a verdict is wrong.
 pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
     if args.maxima {
-        verdicts::check_live(&worksheets(root))?;
+        verdicts::check_live(&worksheets(root), &options(args).maxima)?;
     } else {
         verdicts::check_list(&worksheets(root))?;
     }
@@ -52,7 +55,7 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
         kernels(root).display()
     );
     if args.maxima {
-        live(root)?;
+        live(root, &options(args))?;
         println!("live: every kernel equals what Maxima derives, and every golden value is what Maxima computes");
     }
     Ok(())
@@ -91,12 +94,20 @@ fn describe(root: &Path, difference: &Difference) -> String {
     }
 }
 
-fn live(root: &Path) -> miette::Result<()> {
+/// How worksheets are run again.
+fn options(args: &Args) -> Options {
+    let mut options = Options::default();
+    options.maxima.allow_system |= args.allow_system;
+    options
+}
+
+fn live(root: &Path, options: &Options) -> miette::Result<()> {
     let folder = worksheets(root);
-    worker::run(&Source::Rederived { folder: folder.clone(), kernels: kernels(root) })?;
+    let allow_system = options.maxima.allow_system;
+    worker::run(&Source::Rederived { folder: folder.clone(), kernels: kernels(root), allow_system })?;
     let mut wrong = Vec::new();
     for name in family_names(&folder)? {
-        for disagreement in compare_golden(&folder, &name, &Options::default())? {
+        for disagreement in compare_golden(&folder, &name, options)? {
             let golden = &disagreement.golden;
             let now = disagreement.now.unwrap_or_else(|failure| failure.to_string());
             wrong.push(format!("{}.tsv, {}: golden {} but Maxima says {now}", name, golden.worksheet, golden.value));

@@ -1,13 +1,14 @@
 //! `closedform generate`: references to kernels, proved and measured; or a worksheet of one's own to a crate of its own.
 
-use super::{output, readme};
+use super::{columns, output, readme};
 use crate::catalogue::Catalogue;
+use crate::own_crate::{self, Draft, Runtime};
 use crate::pipeline::Made;
 use crate::worker::{self, Source};
-use crate::{crate_text, folder, ledger};
+use crate::{folder, ledger};
 use clap::Args as ClapArgs;
-use comfy_table::Table;
 use miette::{IntoDiagnostic, WrapErr, bail};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Make the kernels from the reference expressions
@@ -16,9 +17,16 @@ pub struct Args {
     /// A worksheet of definitions `f(x,y) := ..` to make a crate of, instead of this project's families
     #[arg(long, value_name = "FILE.mac", requires = "out")]
     input: Option<PathBuf>,
-    /// The folder of that crate
+    /// The folder of that crate: a new one, or one with a crate, where only src/generated/ is written
     #[arg(long, value_name = "DIR", requires = "input")]
     out: Option<PathBuf>,
+    /// Where a new crate takes the runtime from: `version`, the URL of a git repository, or a folder [default: the folder
+    /// that this command was built from, as a relative path]
+    #[arg(long, value_name = "WHERE", requires = "input")]
+    runtime: Option<Runtime>,
+    /// A row for every kernel, not one a family
+    #[arg(long)]
+    all: bool,
     /// How many points of each kernel's domain to measure for the table; README.md and the ledger are written with the default only
     #[arg(long, default_value_t = ledger::POINTS)]
     points: u32,
@@ -50,6 +58,14 @@ pub fn kernels(root: &Path) -> PathBuf {
 
 fn project(args: &Args, root: &Path) -> miette::Result<()> {
     let generated = worker::run(&Source::Folder(worksheets(root)))?;
+    if generated.kernels.is_empty() {
+        bail!(
+            help = "write a worksheet NAME.mac and its contract NAME.toml there and run `closedform derive`; or make a crate \
+                    of a worksheet alone: `closedform generate --input NAME.mac --out DIR`",
+            "{} holds no contract NAME.toml: there is nothing to make kernels of",
+            worksheets(root).display()
+        );
+    }
     let target = kernels(root);
     let mut changed = write(&target, &generated.files)?;
     let catalogue = Catalogue::load(&target)?;
@@ -58,7 +74,9 @@ fn project(args: &Args, root: &Path) -> miette::Result<()> {
         changed += usize::from(readme::update(root, &catalogue, &rows)?);
         changed += usize::from(ledger::update(root, &rows)?);
     }
-    report(&generated.kernels, &catalogue, &rows)?;
+    report(&generated.kernels, &rows, args.all)?;
+    remark(&generated.kernels);
+    hold(&rows)?;
     eprintln!(
         "{} kernels, all proved equal to their reference expressions, all bounds proved; {changed} files changed",
         generated.kernels.len()
@@ -67,47 +85,63 @@ fn project(args: &Args, root: &Path) -> miette::Result<()> {
 }
 
 fn own_crate(args: &Args, input: &Path, out: &Path, root: &Path) -> miette::Result<()> {
-    let occupied = out.exists() && !out.join(crate_text::MARKER).exists() && !is_empty(out)?;
-    if occupied {
-        bail!(
-            help = "name a folder that is new or empty, or one that this command has made before",
-            "{} holds something else",
-            out.display()
-        );
-    }
+    own_crate::check(out)?;
     let generated = worker::run(&Source::Worksheet(input.to_owned()))?;
-    let crate_files = crate_text::files(input, root, &generated)?;
-    for (below, files) in &crate_files {
-        write(&out.join(below), files)?;
+    let draft = Draft::new(&generated)?;
+    let rows = ledger::rows(out, &draft.catalogue()?, args.points)?;
+    report(&generated.kernels, &rows, true)?;
+    remark(&generated.kernels);
+    hold(&rows)?;
+    let runtime = args.runtime.clone().unwrap_or_default();
+    for note in own_crate::write(&draft, out, &runtime, root)? {
+        eprintln!("{note}");
     }
-    let catalogue = Catalogue::load(&out.join("src"))?;
-    report(&generated.kernels, &catalogue, &ledger::rows(out, &catalogue, args.points)?)?;
     eprintln!("{} kernels in {}: `cargo test` there runs their judges", generated.kernels.len(), out.display());
     Ok(())
 }
 
-fn is_empty(folder: &Path) -> miette::Result<bool> {
-    Ok(std::fs::read_dir(folder).into_diagnostic()?.next().is_none())
-}
-
-fn write(target: &Path, files: &std::collections::BTreeMap<String, String>) -> miette::Result<usize> {
+fn write(target: &Path, files: &BTreeMap<String, String>) -> miette::Result<usize> {
+    let foreign = |path: &PathBuf| std::fs::read_to_string(path).is_ok_and(|text| !folder::is_generated(&text));
+    if let Some(path) = files.keys().map(|name| target.join(name)).find(foreign) {
+        bail!(
+            help =
+                "a file without the mark of this command is never touched: rename it, or delete it if it is not needed",
+            "{} was not generated",
+            path.display()
+        );
+    }
     folder::replace(target, files).into_diagnostic().wrap_err_with(|| format!("cannot write {}", target.display()))
 }
 
-fn report(made: &[Made], catalogue: &Catalogue, rows: &[ledger::Row]) -> miette::Result<()> {
-    let mut table: Table = output::table(["kernel", "rules", "+ * / sqrt wide", "worst ulp", "bound", "proof"]);
-    for entry in catalogue.entries() {
-        let Some(kernel) = made.iter().find(|kernel| kernel.kernel == entry.full_name()) else { continue };
-        table.add_row([
-            kernel.kernel.clone(),
-            kernel.rules.join(" "),
-            kernel.operations.map(|count| count.to_string()).join(" "),
-            format!("{:.2}", ledger::worst_of(rows, &entry.full_name())),
-            format!("{}", kernel.bound),
-            "exact".to_owned(),
-        ]);
+/// Prints what was made: a row for every kernel, or for every family.
+fn report(made: &[Made], rows: &[ledger::Row], all: bool) -> miette::Result<()> {
+    let table = if all { each_kernel(made, rows) } else { each_family(made, rows) };
+    Ok(output::print(&table)?)
+}
+
+fn each_kernel(made: &[Made], rows: &[ledger::Row]) -> String {
+    let lines = made.iter().map(|kernel| {
+        let worst = format!("{:.2}", ledger::worst_of(rows, &kernel.kernel));
+        [kernel.kernel.clone(), worst, kernel.bound.to_string(), kernel.rules.join(" ")]
+    });
+    columns::text(["kernel", "worst ulp", "bound", "rules"], lines)
+}
+
+fn each_family(made: &[Made], rows: &[ledger::Row]) -> String {
+    let mut families: BTreeMap<&str, Vec<&Made>> = BTreeMap::new();
+    for kernel in made {
+        families.entry(kernel.kernel.split("::").next().unwrap_or_default()).or_default().push(kernel);
     }
-    output::print(&format!("{table}\n"))?;
+    let line = |(family, kernels): (&&str, &Vec<&Made>)| {
+        let worst = kernels.iter().map(|kernel| ledger::worst_of(rows, &kernel.kernel)).fold(0.0, f64::max);
+        let bound = kernels.iter().map(|kernel| kernel.bound).fold(0.0, f64::max);
+        [(*family).to_owned(), kernels.len().to_string(), format!("{worst:.2}"), bound.to_string()]
+    };
+    columns::text(["family", "kernels", "worst ulp", "largest bound"], families.iter().map(line))
+}
+
+/// What the owner of a formula should know of its kernel.
+fn remark(made: &[Made]) {
     for (kernel, because) in made.iter().filter_map(|made| Some((&made.kernel, made.certified_because.as_ref()?))) {
         eprintln!("`{kernel}` keeps its bound at run time, some hundred times slower: {because}");
     }
@@ -115,7 +149,6 @@ fn report(made: &[Made], catalogue: &Catalogue, rows: &[ledger::Row]) -> miette:
         let added = kernel.added.join("`, `");
         eprintln!("`{}` requires `{added}` too: its formula needs it, its contract does not say it", kernel.kernel);
     }
-    hold(rows)
 }
 
 /// Every measured error is within its bound.

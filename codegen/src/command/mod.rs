@@ -2,6 +2,7 @@
 
 pub mod bound;
 pub mod check;
+mod columns;
 pub mod derive;
 pub mod description;
 pub mod eval;

@@ -11,6 +11,9 @@ use thiserror::Error;
 /// The other command.
 const PROGRAM: &str = "closedform-motion";
 
+/// How it learns that it was handed on to: its help then names the command that was typed.
+const HANDS_ON: &str = "CLOSEDFORM_HANDS_ON";
+
 /// What stands behind `plan` or `plot`: the other command's arguments, `--help` among them.
 #[derive(clap::Args)]
 #[command(disable_help_flag = true)]
@@ -25,7 +28,9 @@ pub struct Args {
 enum MotionError {
     /// It is nowhere.
     #[error("the command `{PROGRAM}` is not installed")]
-    #[diagnostic(help("run `cargo install --path motion` in the project, or put it beside `closedform`"))]
+    #[diagnostic(help(
+        "run `cargo install --path motion` in a checkout of closedform, or put it beside `closedform` or on the PATH"
+    ))]
     Missing,
 }
 
@@ -36,7 +41,7 @@ enum MotionError {
 /// When it is neither beside this command, nor on the path, nor to be built in the project `root`.
 pub fn run(name: &str, args: &Args, root: &Path) -> miette::Result<ExitCode> {
     let mut command = found().or_else(|| built_in(root)).ok_or(MotionError::Missing)?;
-    let status = command.arg(name).args(&args.arguments).status().into_diagnostic()?;
+    let status = command.env(HANDS_ON, "1").arg(name).args(&args.arguments).status().into_diagnostic()?;
     let code = status.code().and_then(|code| u8::try_from(code).ok());
     Ok(code.map_or(ExitCode::FAILURE, ExitCode::from))
 }

@@ -3,7 +3,7 @@
 use crate::folder::diff;
 use crate::verdict::{PAGE, Scans, VerdictError, has_scan, listed};
 use crate::worksheet::maxima_process::Maxima;
-use crate::worksheet::{WriteError, write_all};
+use crate::worksheet::{WriteError, replaceable, write_all};
 use miette::Diagnostic;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -29,12 +29,12 @@ impl Page {
     /// # Errors
     ///
     /// When a verdict is wrong, or a scan cannot be replayed.
-    pub fn of(folder: &Path, families: &[String]) -> Result<Option<Self>, VerdictError> {
+    pub fn of(folder: &Path, families: &[String], maxima: &Maxima) -> Result<Option<Self>, VerdictError> {
         if !families.iter().any(|family| has_scan(folder, family)) {
             return Ok(None);
         }
         let judged = |scans: Scans| {
-            let text = scans.judge(&Maxima::default())?;
+            let text = scans.judge(maxima)?;
             Ok(Self { text, outputs: scans.stated().len(), path: scans.page })
         };
         Scans::load(folder)?.map(judged).transpose()
@@ -46,6 +46,7 @@ impl Page {
     ///
     /// When the file cannot be written.
     pub fn write(&self) -> Result<(), WriteError> {
+        replaceable([&*self.path])?;
         write_all(&[(&*self.path, &*self.text)])?;
         println!("{PAGE}: the verdict on {} printed outputs", self.outputs);
         Ok(())
@@ -69,9 +70,9 @@ pub fn check_list(folder: &Path) -> miette::Result<()> {
 /// # Errors
 ///
 /// When a verdict is wrong, or the page is stale.
-pub fn check_live(folder: &Path) -> miette::Result<()> {
+pub fn check_live(folder: &Path, maxima: &Maxima) -> miette::Result<()> {
     let Some(scans) = Scans::load(folder)? else { return Ok(()) };
-    let text = scans.judge(&Maxima::default())?;
+    let text = scans.judge(maxima)?;
     let page = present(&scans)?;
     if page != text {
         return Err(stale(&scans, &page, &text).into());

@@ -46,7 +46,7 @@ pub struct Args {
 /// What was found wrong.
 #[derive(Debug, Error, Diagnostic)]
 #[error("{}", summary(*exceeded, unmeasured.len()))]
-#[diagnostic(help("a bound that does not hold is a mistake of the generator or of the contract's domain"))]
+#[diagnostic(help("a bound that does not hold is a mistake of the generator or of the domain"))]
 struct VerifyError {
     exceeded: usize,
     #[related]
@@ -79,7 +79,7 @@ enum Cause {
 /// No point was measured.
 #[derive(Debug, Error, Diagnostic)]
 #[error("the bound covers none of {points} points: results over- or underflow")]
-#[diagnostic(help("correct the `typical` magnitudes of the inputs in the contract"))]
+#[diagnostic(help("correct the `typical` magnitudes of the inputs, in a contract NAME.toml or in `#[input(..)]`"))]
 struct Uncovered {
     points: usize,
 }

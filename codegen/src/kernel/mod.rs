@@ -21,7 +21,7 @@ use crate::stable::rules::one_reciprocal::Products;
 use crate::stable::rules::{certified, double_double, gathered, one_reciprocal};
 use crate::stable::stabilise;
 use crate::worksheet::contract::{Contract, KernelContract, ResultContract};
-use closedform_maxima::{Definition, print, to_latex};
+use closedform_maxima::{Definition, to_latex};
 use closedform_syntax::Precision;
 use thiserror::Error;
 use written::{Written, WrittenError};
@@ -75,13 +75,13 @@ pub enum KernelError {
 }
 
 impl KernelError {
-    /// Whether the formula can still be taken as it is written, in certified arithmetic. A contract could say more of a
-    /// root's signs.
+    /// Whether the formula can still be taken as it is written, in certified arithmetic. Where there is a contract, it
+    /// could say more of a root's signs.
     #[must_use]
-    pub fn leaves_the_formula_as_written(&self, kernel: &KernelContract) -> bool {
+    pub fn leaves_the_formula_as_written(&self, has_contract: bool) -> bool {
         match self {
             Self::Lower(_) | Self::Written { .. } => false,
-            Self::Root { cause: RootError::Signs(_), .. } => kernel.natural_domain,
+            Self::Root { cause: RootError::Signs(_), .. } => !has_contract,
             _ => true,
         }
     }
@@ -175,7 +175,7 @@ fn text(
     KernelText {
         name: kernel.name.clone(),
         doc: kernel.doc.clone(),
-        maxima: references.iter().map(definition_text).collect(),
+        maxima: references.iter().map(ToString::to_string).collect(),
         latex: references.iter().map(latex).collect::<Vec<_>>().join(r" \\ "),
         source: kernel.source.clone(),
         branch: kernel.branch.clone(),
@@ -190,10 +190,6 @@ fn text(
         program,
         graph,
     }
-}
-
-fn definition_text(reference: &Definition) -> String {
-    format!("{}({}):={}", reference.name, reference.parameters.join(","), print(&reference.body))
 }
 
 fn latex(reference: &Definition) -> String {

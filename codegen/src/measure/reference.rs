@@ -27,7 +27,9 @@ pub enum ReferenceError {
     },
     /// The definitions are not Maxima.
     #[error("the Maxima definitions of the kernel `{kernel}` cannot be read")]
-    #[diagnostic(help("run `closedform generate`; generated sources are not edited by hand"))]
+    #[diagnostic(help(
+        "`closedform generate` makes a generated kernel anew; in one written by hand, correct `maxima`"
+    ))]
     Syntax {
         /// The kernel.
         kernel: String,
@@ -40,7 +42,9 @@ pub enum ReferenceError {
     },
     /// The definitions are of something else.
     #[error("the Maxima definitions of the kernel `{kernel}` are not one a result, of its {inputs} inputs")]
-    #[diagnostic(help("run `closedform generate`; generated sources are not edited by hand"))]
+    #[diagnostic(help(
+        "`closedform generate` makes a generated kernel anew; in one written by hand, correct `maxima`"
+    ))]
     Mismatch {
         /// The kernel.
         kernel: String,
@@ -52,7 +56,10 @@ pub enum ReferenceError {
 /// A point at which a reference has no value.
 #[derive(Debug, Error, Diagnostic)]
 #[error("the reference `{function}` has no value for {inputs}")]
-#[diagnostic(help("correct the domain in the contract, so that it leaves this point out"))]
+#[diagnostic(help(
+    "leave this point out of the domain: by a condition in a contract NAME.toml beside the worksheet, or by `require!` in a \
+     kernel written by hand"
+))]
 pub struct ValueError {
     /// The function of the worksheet.
     pub function: String,

@@ -2,14 +2,17 @@
 
 use std::path::{Path, PathBuf};
 
-use miette::{Diagnostic, NamedSource, SourceSpan};
+use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
 use super::formula::FormulaError;
 use super::problem::Problem;
 use crate::worksheet::contract::ContractError;
 use crate::worksheet::maxima_process::ProcessError;
-use crate::worksheet::{ReadError, source};
+use crate::worksheet::{
+    ReadError,
+    source::{self, Text},
+};
 
 /// Why there is no page.
 #[derive(Debug, Error, Diagnostic)]
@@ -53,7 +56,7 @@ pub struct Mistakes {
     pub path: PathBuf,
     /// Its text.
     #[source_code]
-    pub text: NamedSource<String>,
+    pub text: Text,
     /// One by one.
     #[related]
     pub mistakes: Vec<Mistake>,

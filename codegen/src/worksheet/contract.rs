@@ -9,7 +9,9 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 pub use error::{ContractError, Mistake};
-pub use names::{RustNameError, rust_name, snake_case};
+pub use names::{
+    RustNameError, free_module_name, free_name, is_device, is_keyword, module_name, rust_name, snake_case,
+};
 
 use super::domain::Domain;
 use super::source;
@@ -102,15 +104,28 @@ impl Contract {
 
 /// Reads and checks a contract; all mistakes are reported at once.
 pub fn load(path: &Path) -> Result<Contract, ContractError> {
-    let text = source::read(path, "write the contract of this family; ARCHITECTURE.md shows its format")?;
-    parse(path, &text)
+    parse(path, &read(path)?)
+}
+
+/// As [`load`], of a worksheet whose name need not be that of a module.
+pub fn load_under_any_name(path: &Path) -> Result<Contract, ContractError> {
+    checked(path, &read(path)?, None)
+}
+
+fn read(path: &Path) -> Result<String, ContractError> {
+    Ok(source::read(path, "write the contract of this family; ARCHITECTURE.md shows its format")?)
 }
 
 /// Checks the text of a contract; `path` names it in errors.
 pub fn parse(path: &Path, text: &str) -> Result<Contract, ContractError> {
+    checked(path, text, path.file_stem().map(|stem| stem.to_string_lossy().into_owned()))
+}
+
+/// Checks the text of a contract, and the name of its family, if that must be one.
+fn checked(path: &Path, text: &str, family: Option<String>) -> Result<Contract, ContractError> {
     let mistakes = match toml::from_str::<raw::Contract>(text) {
         Err(error) => vec![Mistake::toml(&error)],
-        Ok(raw) => match check::check(raw, path, text) {
+        Ok(raw) => match check::check(raw, family, text) {
             Ok(contract) => return Ok(contract),
             Err(mistakes) => mistakes,
         },

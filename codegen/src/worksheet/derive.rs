@@ -77,6 +77,7 @@ impl Derived {
 /// Derives reference expressions and golden values of a family; writes nothing.
 pub fn derive(folder: &Path, name: &str, options: &Options) -> Result<Derived, DeriveError> {
     let paths = Paths::new(folder, name);
+    files::replaceable([&*paths.reference, &*paths.golden])?;
     let contract = contract::load(&paths.contract)?;
     let tasks: Vec<Task> =
         contract.kernels.iter().map(|kernel| sampled(&contract, kernel, options)).collect::<Result<_, _>>()?;

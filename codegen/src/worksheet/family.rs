@@ -76,6 +76,11 @@ impl Family {
     pub fn load(folder: &Path, name: &str) -> Result<Self, FamilyError> {
         let paths = Paths::new(folder, name);
         let contract = contract::load(&paths.contract)?;
+        Self::derived(name, contract, paths)
+    }
+
+    /// With the reference expressions that Maxima derived.
+    fn derived(name: &str, contract: Contract, paths: Paths) -> Result<Self, FamilyError> {
         let remedy = format!("say `closedform derive {name}`, which runs the worksheet and writes this file");
         let text = source::read(&paths.reference, remedy)?;
         let references = reference::check(&paths.reference, &text, &contract)?;

@@ -8,21 +8,45 @@ use miette::Diagnostic;
 use tempfile::{Builder, NamedTempFile};
 use thiserror::Error;
 
+/// What the first line of every file that may be replaced says.
+const MARK: &str = "written by `closedform ";
+
+/// Refuses to replace files that this command did not write.
+pub fn replaceable<'a>(paths: impl IntoIterator<Item = &'a Path>) -> Result<(), WriteError> {
+    let foreign = |path: &&Path| std::fs::read(path).is_ok_and(|text| !text.is_empty() && !is_marked(&text));
+    match paths.into_iter().find(foreign) {
+        None => Ok(()),
+        Some(path) => {
+            let cause =
+                std::io::Error::other("it is there, and its first line does not say that `closedform` wrote it");
+            Err(WriteError { path: path.to_owned(), cause, remedy: "rename it if it is yours, or delete it" })
+        }
+    }
+}
+
+fn is_marked(text: &[u8]) -> bool {
+    let line = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
+    String::from_utf8_lossy(line).contains(MARK)
+}
+
 /// A file that could not be written; what was there before is untouched.
 #[derive(Debug, Error, Diagnostic)]
 #[error("cannot write {}: {cause}", path.display())]
-#[diagnostic(help("make room and get the right to write in this folder"))]
+#[diagnostic(help("{remedy}"))]
 pub struct WriteError {
     /// The file.
     pub path: PathBuf,
     /// Why not.
     #[source]
     pub cause: std::io::Error,
+    /// What to do about it.
+    pub remedy: &'static str,
 }
 
 /// Writes all files; none is replaced before the texts of all are on disk.
 pub fn write_all(files: &[(&Path, &str)]) -> Result<(), WriteError> {
-    let fail = |path: &Path, cause| WriteError { path: path.to_owned(), cause };
+    let remedy = "make room and get the right to write in this folder";
+    let fail = |path: &Path, cause| WriteError { path: path.to_owned(), cause, remedy };
     let mut ready = Vec::new();
     for (path, text) in files {
         ready.push((path, beside(path, text).map_err(|cause| fail(path, cause))?));
@@ -47,6 +71,17 @@ fn beside(path: &Path, text: &str) -> std::io::Result<NamedTempFile> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_others_wrote_is_not_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.ref");
+        assert!(replaceable([&*path]).is_ok());
+        std::fs::write(&path, "/* written by `closedform derive a` */\n").unwrap();
+        assert!(replaceable([&*path]).is_ok());
+        std::fs::write(&path, "/* by hand */\nwritten by `closedform derive`").unwrap();
+        assert!(replaceable([&*path]).unwrap_err().to_string().contains("a.ref"));
+    }
 
     #[test]
     fn all_or_none() {

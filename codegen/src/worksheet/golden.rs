@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use miette::{Diagnostic, NamedSource, SourceSpan};
+use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
 use super::hexfloat::{self, HexFloatError};
-use super::source::{self, ReadError};
+use super::source::{self, ReadError, Text};
 
 /// One golden value.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,7 +34,7 @@ pub enum GoldenError {
         cause: LineError,
         /// The file.
         #[source_code]
-        text: NamedSource<String>,
+        text: Text,
         /// The line.
         #[label("here")]
         place: SourceSpan,

@@ -2,6 +2,7 @@
 
 mod child;
 mod error;
+mod guard;
 mod transcript;
 
 use std::ffi::OsString;
@@ -9,6 +10,7 @@ use std::path::Path;
 use std::time::Duration;
 
 pub use error::{LostMaxima, ProcessError};
+pub use guard::Reaching;
 pub use transcript::Message;
 
 use super::source;
@@ -27,27 +29,35 @@ pub struct Maxima {
     pub program: OsString,
     /// How long worksheet and driver may run together.
     pub limit: Duration,
+    /// Whether a worksheet may start programs, touch files and run Lisp.
+    pub allow_system: bool,
 }
+
+/// The environment variable that allows it, to processes of ours; the flag `--allow-system` sets it.
+pub const ALLOW_SYSTEM_VARIABLE: &str = "CLOSEDFORM_ALLOW_SYSTEM";
 
 impl Default for Maxima {
     /// `maxima`, or what `CLOSEDFORM_MAXIMA` names.
     fn default() -> Self {
         let program = std::env::var_os(PROGRAM_VARIABLE).unwrap_or_else(|| "maxima".into());
-        Self { program, limit: TIME_LIMIT }
+        Self { program, limit: TIME_LIMIT, allow_system: std::env::var_os(ALLOW_SYSTEM_VARIABLE).is_some() }
     }
 }
 
 impl Maxima {
     /// Runs the worksheet, then the driver: Maxima statements that call `closedform_say(text)` to send a message.
-    /// Nothing is written outside a temporary folder, unless the worksheet itself writes.
+    /// Nothing is written outside a temporary folder, unless the worksheet may and does.
     pub fn run(&self, worksheet: &Path, driver: &str) -> Result<Vec<Message>, ProcessError> {
         let remedy = "write the worksheet of this family, a Maxima batch file";
         let text = source::read(worksheet, remedy)?;
+        if !self.allow_system {
+            guard::check(worksheet, &text)?;
+        }
         let marks = Marks::new();
         let places = places(worksheet, &text)?;
         let folder = tempfile::tempdir().map_err(|cause| self.lost(LostMaxima::Files(cause)))?;
         let files = Files::new(folder.path());
-        let written = files.write(&text, driver, &marks);
+        let written = files.write(&text, driver, &marks, self.allow_system);
         written.map_err(|cause| self.lost(LostMaxima::Files(cause)))?;
         let home = worksheet.parent().filter(|home| !home.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let end = child::run(self, &files.arguments(), home, &marks).map_err(|cause| self.lost(cause))?;
@@ -108,14 +118,15 @@ impl Files {
         }
     }
 
-    fn write(&self, worksheet: &str, driver: &str, marks: &Marks) -> std::io::Result<()> {
+    fn write(&self, worksheet: &str, driver: &str, marks: &Marks, allow_system: bool) -> std::io::Result<()> {
         let Marks { statement, question, message } = marks;
         // the variables with which a front end tells prompts and questions from results
         let lisp = format!("(setq *general-display-prefix* \"{statement}\" *prompt-prefix* \"{question}\")\n");
-        std::fs::write(&self.marks, lisp)?;
+        let guard = guard::lisp(message, &self.driver, &self.batch, allow_system);
+        std::fs::write(&self.marks, format!("{lisp}{guard}"))?;
+        let worksheet = worksheet.trim_start_matches('\u{feff}'); // a byte order mark is none of Maxima's letters
         std::fs::write(&self.batch, format!("{worksheet}\nload({:?})$\n", self.driver.display().to_string()))?;
-        let say = format!("closedform_say(text) := (?terpri(), ?princ(sconcat(\"{message}\", text)), ?terpri())$\n");
-        std::fs::write(&self.driver, format!("{SETTINGS}{say}{driver}\nclosedform_say(\"{}\")$\n", transcript::END))
+        std::fs::write(&self.driver, format!("{SETTINGS}{driver}\nclosedform_say(\"{}\")$\n", transcript::END))
     }
 
     /// No initialisation file: what a worksheet derives may not depend on whose machine it is.

@@ -12,5 +12,5 @@ pub mod sample;
 pub mod source;
 mod statements;
 
-pub use files::{WriteError, write_all};
+pub use files::{WriteError, replaceable, write_all};
 pub use source::ReadError;

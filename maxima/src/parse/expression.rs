@@ -216,8 +216,9 @@ fn condition(cursor: &mut Cursor) -> Result<Parsed> {
 fn repetition(cursor: &mut Cursor) -> Result<Parsed> {
     let start = cursor.span().start;
     let (mut clauses, mut height) = (Vec::new(), 0);
+    let mut words = LoopWords::default();
     while !cursor.take("do") {
-        let word = loop_word(cursor, &clauses)?;
+        let word = words.next(cursor)?;
         cursor.advance();
         let value = operand(cursor, word.power(), word.mode(), word.symbol())?;
         if word == LoopWord::For && value.expression.as_symbol().is_none() {
@@ -232,19 +233,37 @@ fn repetition(cursor: &mut Cursor) -> Result<Parsed> {
     node(cursor, start, ExprKind::Loop { clauses, body: body.boxed() }, Mode::Any, height)
 }
 
-/// The word here, if the loop can have it.
-fn loop_word(cursor: &Cursor, clauses: &[LoopClause]) -> Result<LoopWord> {
-    let after_for = clauses.last().is_some_and(|clause| clause.word == LoopWord::For);
-    let word = match cursor.kind() {
-        TokenKind::Symbol(name) if after_for && name == "in" => LoopWord::In,
-        TokenKind::Mark(":") if after_for => LoopWord::From,
-        TokenKind::Mark(mark) => LoopWord::reserved(mark).ok_or(cursor.unexpected("`do` or another loop word"))?,
-        _ => return Err(cursor.unexpected("`do` or another loop word")),
-    };
-    if clauses.iter().all(|clause| go_together(clause.word, word)) {
-        return Ok(word);
+/// The words of a loop so far.
+#[derive(Default)]
+struct LoopWords {
+    last: Option<LoopWord>,
+    /// Each word once, so that a loop of many clauses is read in one pass.
+    different: Vec<LoopWord>,
+}
+
+impl LoopWords {
+    /// The word here, if the loop can have it.
+    fn next(&mut self, cursor: &Cursor) -> Result<LoopWord> {
+        let word = self.word(cursor).ok_or_else(|| cursor.unexpected("`do` or another loop word"))?;
+        if !self.different.iter().all(|earlier| go_together(*earlier, word)) {
+            return Err(Error::LoopWord { word: word.symbol(), span: cursor.span() });
+        }
+        if !self.different.contains(&word) {
+            self.different.push(word);
+        }
+        self.last = Some(word);
+        Ok(word)
     }
-    Err(Error::LoopWord { word: word.symbol(), span: cursor.span() })
+
+    fn word(&self, cursor: &Cursor) -> Option<LoopWord> {
+        let after_for = self.last == Some(LoopWord::For);
+        match cursor.kind() {
+            TokenKind::Symbol(name) if after_for && name == "in" => Some(LoopWord::In),
+            TokenKind::Mark(":") if after_for => Some(LoopWord::From),
+            TokenKind::Mark(mark) => LoopWord::reserved(mark),
+            _ => None,
+        }
+    }
 }
 
 /// Whether one loop can have both words.

@@ -2,19 +2,19 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::path::Path;
 
+use closedform_syntax::Dimension;
 use toml::Spanned;
 
-use super::super::domain::{Condition, ConditionError, Domain};
+use super::super::domain::{Condition, Domain};
 use super::error::{Mistake, span};
-use super::names::{RustNameError, rust_name, type_name};
+use super::names::{RustNameError, module_name, rust_name, type_name};
 use super::{Contract, FamilyInfo, Input, KernelContract, ResultContract, TYPICAL, raw};
 
 /// The contract, or all its mistakes.
-pub(super) fn check(raw: raw::Contract, path: &Path, text: &str) -> Result<Contract, Vec<Mistake>> {
+pub(super) fn check(raw: raw::Contract, family: Option<String>, text: &str) -> Result<Contract, Vec<Mistake>> {
     let mut checker = Checker { text, mistakes: Vec::new() };
-    checker.family_name(path);
+    checker.mistakes.extend(family.and_then(family_name));
     checker.not_empty(&raw.family.title, "the title of the family", "say in one line what the family is about");
     checker.inputs(&raw.inputs);
     checker.kernels(&raw);
@@ -29,19 +29,17 @@ pub(super) fn camel_case(name: &str) -> String {
     name.split('_').filter(|word| !word.is_empty() && word.is_ascii()).map(capital).collect()
 }
 
+fn family_name(name: String) -> Option<Mistake> {
+    let cause = module_name(&name).err()?;
+    Some(Mistake::FamilyName { name, cause })
+}
+
 struct Checker<'a> {
     text: &'a str,
     mistakes: Vec<Mistake>,
 }
 
 impl Checker<'_> {
-    fn family_name(&mut self, path: &Path) {
-        let name = path.file_stem().unwrap_or_default().to_string_lossy();
-        if let Err(cause) = rust_name(&name) {
-            self.mistakes.push(Mistake::FamilyName { name: name.into_owned(), cause });
-        }
-    }
-
     fn inputs(&mut self, inputs: &BTreeMap<Spanned<String>, raw::Input>) {
         for (maxima, input) in inputs {
             self.maxima_name(maxima);
@@ -102,7 +100,7 @@ impl Checker<'_> {
         let inputs = maxima_names(kernel);
         for text in &kernel.domain {
             if let Err(cause) = Condition::parse(text.get_ref(), &inputs) {
-                let place = self.within(text, &cause);
+                let place = self.inside(text, cause.span());
                 self.mistakes.push(Mistake::Condition {
                     kernel: kernel.name.get_ref().clone(),
                     cause,
@@ -112,13 +110,13 @@ impl Checker<'_> {
         }
     }
 
-    /// The place of a condition's mistake in the file; the whole string where TOML escapes moved its letters.
-    fn within(&self, text: &Spanned<String>, cause: &ConditionError) -> Range<usize> {
+    /// The place in the file of a part of a string; the whole string where TOML escapes moved its letters.
+    fn inside(&self, text: &Spanned<String>, part: Option<Range<usize>>) -> Range<usize> {
         let string = text.span();
         let inner = string.start + 1..string.end.saturating_sub(1);
         let spelt_out = self.text.get(inner.clone()) == Some(text.get_ref().as_str());
-        match cause.span() {
-            Some(place) if spelt_out => inner.start + place.start..inner.start + place.end,
+        match part {
+            Some(part) if spelt_out => inner.start + part.start..inner.start + part.end,
             _ => string,
         }
     }
@@ -171,7 +169,12 @@ impl Checker<'_> {
     }
 
     fn unit(&mut self, unit: &Spanned<String>) {
-        self.not_empty(unit, "the unit", "write the unit, or \"1\" where there is none");
+        if unit.get_ref().trim().is_empty() {
+            self.not_empty(unit, "the unit", "write the unit, or \"1\" where there is none");
+        } else if let Err(cause) = Dimension::of_unit(unit.get_ref()) {
+            let place = self.inside(unit, Some(cause.span.clone()));
+            self.mistakes.push(Mistake::Unit { unit: unit.get_ref().clone(), cause, span: span(place) });
+        }
     }
 
     fn not_empty(&mut self, text: &Spanned<String>, what: &'static str, remedy: &'static str) {

@@ -3,11 +3,12 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use miette::{Diagnostic, NamedSource, SourceSpan};
+use closedform_syntax::UnitError;
+use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
 use super::super::domain::ConditionError;
-use super::super::source::{self, ReadError};
+use super::super::source::{self, ReadError, Text};
 use super::names::RustNameError;
 
 /// Why there is no contract.
@@ -24,7 +25,7 @@ pub enum ContractError {
         path: PathBuf,
         /// Its text.
         #[source_code]
-        text: NamedSource<String>,
+        text: Text,
         /// All that is wrong.
         #[related]
         mistakes: Vec<Mistake>,
@@ -56,7 +57,7 @@ pub enum Mistake {
     },
     /// The file's name is the name of a Rust module.
     #[error("the family name `{name}` {cause}")]
-    #[diagnostic(help("rename the worksheet and its contract, e.g. to `{}`", super::snake_case(name)))]
+    #[diagnostic(help("rename the worksheet and its contract, e.g. to `{}`", super::free_module_name(name)))]
     FamilyName {
         /// Stem of the file.
         name: String,
@@ -114,6 +115,18 @@ pub enum Mistake {
         name: String,
         /// Where.
         #[label("Maxima reads this")]
+        span: SourceSpan,
+    },
+    /// A unit that nobody knows, and whose kernel could not be judged.
+    #[error("the unit `{unit}`: {cause}")]
+    #[diagnostic(help("{}", cause.remedy))]
+    Unit {
+        /// The unit.
+        unit: String,
+        /// What is wrong with it.
+        cause: UnitError,
+        /// Where.
+        #[label("here")]
         span: SourceSpan,
     },
     /// Magnitudes that are no range.

@@ -68,6 +68,12 @@ const TAKEN_TYPES: &[&str] = &[
     "Some",
 ];
 
+/// Modules that a crate, cargo or the generator has already.
+const TAKEN_MODULES: &[&str] = &["generated", "judges", "lib", "main", "proc_macro", "test"];
+
+/// The longest name of a module.
+const LONGEST_MODULE: usize = 64;
+
 /// Why a name cannot be used in generated Rust.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum RustNameError {
@@ -96,6 +102,47 @@ pub fn rust_name(name: &str) -> Result<(), RustNameError> {
     } else {
         Ok(())
     }
+}
+
+/// Checks the name of a family, which becomes a module and a file.
+pub fn module_name(name: &str) -> Result<(), RustNameError> {
+    rust_name(name)?;
+    if TAKEN_MODULES.contains(&name) || is_device(name) || name.len() > LONGEST_MODULE {
+        return Err(RustNameError::Taken);
+    }
+    Ok(())
+}
+
+/// Whether Rust takes the word for itself.
+#[must_use]
+pub fn is_keyword(word: &str) -> bool {
+    KEYWORDS.contains(&word)
+}
+
+/// Whether Windows takes a file of this name, in any letters, for a device.
+#[must_use]
+pub fn is_device(name: &str) -> bool {
+    let name = name.to_ascii_lowercase();
+    let port = |kind: &str| matches!(name.strip_prefix(kind).map(str::as_bytes), Some([b'0'..=b'9']));
+    ["con", "prn", "aux", "nul"].contains(&name.as_str()) || port("com") || port("lpt")
+}
+
+/// A module's name for the stem of a worksheet.
+#[must_use]
+pub fn free_module_name(stem: &str) -> String {
+    let short: String = snake_case(stem).chars().take(LONGEST_MODULE - "_value".len()).collect();
+    free_name(&short, |name| module_name(name).is_ok())
+}
+
+/// A Rust name for a Maxima name: the snake_case one, or one made of it that is free.
+#[must_use]
+pub fn free_name(maxima: &str, is_free: impl Fn(&str) -> bool) -> String {
+    let ascii: String = snake_case(maxima).chars().filter(|c| c.is_ascii_alphanumeric() || *c == '_').collect();
+    let words: Vec<&str> = ascii.split('_').filter(|word| !word.is_empty()).collect();
+    let letters = words.join("_");
+    let plain = if letters.starts_with(|c: char| c.is_ascii_lowercase()) { letters } else { format!("x{letters}") };
+    let others = std::iter::once(format!("{plain}_value")).chain((2_u64..).map(|number| format!("{plain}_{number}")));
+    std::iter::once(plain.clone()).chain(others).find(|name| is_free(name)).unwrap_or(plain)
 }
 
 /// Checks the name of a struct.
@@ -154,6 +201,33 @@ mod tests {
         assert_eq!(type_name("ramp"), Err(RustNameError::NotCamelCase));
         assert_eq!(type_name("Self"), Err(RustNameError::Taken));
         assert_eq!(type_name("Ramp2"), Ok(()));
+    }
+
+    #[test]
+    fn worksheets_of_any_name_have_a_module() {
+        let pairs = [
+            ("my", "my"),
+            ("lib", "lib_value"),
+            ("main", "main_value"),
+            ("judges", "judges_value"),
+            ("core", "core_value"),
+            ("fn", "fn_value"),
+            ("self", "self_value"),
+            ("con", "con_value"),
+            ("LPT1", "lpt1_value"),
+            ("my sheet", "my_sheet"),
+            ("a-b.c", "a_b_c"),
+            ("1digit", "x1digit"),
+            ("\u{dc}n\u{ef}", "n"),
+            ("\u{65e5}\u{672c}", "x"),
+            ("closedform", "closedform_value"),
+        ];
+        for (stem, module) in pairs {
+            assert_eq!(free_module_name(stem), module, "{stem}");
+        }
+        for stem in ["a".repeat(250), "aB".repeat(120), "1_".repeat(100), "\u{e9}_".repeat(60)] {
+            assert_eq!(module_name(&free_module_name(&stem)), Ok(()), "{stem}");
+        }
     }
 
     #[test]

@@ -169,6 +169,17 @@ fn values_must_make_sense() {
 }
 
 #[test]
+fn units_must_be_known() {
+    for unit in ["kg*m/s^2", "N", "mrad", "m^(1/2)", "V/um", "deg", "%", "J/(kg*K)", "mm/s^2"] {
+        let text = with("\"m/s^2\"", &format!("\"{unit}\""));
+        assert!(parse(Path::new("turnaround.toml"), &text).is_ok(), "{unit}");
+    }
+    points(&with("\"m/s^2\"", "\"m/sec^2\""), "sec", &["`sec` is no known unit", "did you mean `s`, second?"]);
+    points(&with("\"m/s^2\"", "\"furlong\""), "furlong", &["no known unit", "write 1 for what is counted"]);
+    points(&with("\"m/s^2\"", "\"N m\""), "m", &["write `*` between factors"]);
+}
+
+#[test]
 fn toml_mistakes_point_too() {
     points(&with("unit = \"m/s^2\"", "units = \"m\""), "units", &["unknown field `units`"]);
     points(&with(", unit = \"m/s^2\"", ""), "{ name = \"a2_max\" }", &["missing field `unit`"]);

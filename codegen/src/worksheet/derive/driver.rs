@@ -19,7 +19,7 @@ pub(super) struct Task {
 }
 
 /// Says the version, and defines `string` of a value: of an expression it would evaluate what stands there once more.
-const PROLOGUE: &str = "closedform_say(sconcat(\"version|\", ?\\*autoconf\\-version\\*))$\n\
+const PROLOGUE: &str = "closedform_say(sconcat(\"version|\", closedform_version()))$\n\
                         closedform_spell(closedform_value) := string(closedform_value)$\n";
 
 /// Functions that compute values at points: `closedform_value(expression, symbols, numbers)` and what it needs.

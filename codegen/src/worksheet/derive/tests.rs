@@ -169,3 +169,42 @@ fn a_worksheet_prints_what_it_likes() {
     let folder = folder(&format!("{noise} {WORKSHEET} {noise}"));
     assert!(derive(folder.path(), "family", &Options::default()).is_ok());
 }
+
+/// Whatever way a name is put together, the machine is left alone; `failure` sees that no file was made.
+#[test]
+fn a_worksheet_that_reaches_beyond_itself_is_refused() {
+    let refused = "reaches beyond the worksheet";
+    for (worksheet, words) in [
+        ("system(\"touch made\")$", "the worksheet calls `system`"),
+        ("apply(concat(sys, tem), [\"touch made\"])$", refused),
+        ("block([f: concat(sys, tem)], apply(f, [\"touch made\"]))$", refused),
+        ("eval_string(sconcat(\"sys\", \"tem(\\\"touch made\\\")\"))$", refused),
+        ("eval_string(sconcat(\"?\", \"car([1])\"))$", "Lisp is run with --allow-system only"),
+        ("apply(concat(with_std, out), [\"made\", 1])$", refused),
+        ("apply(concat(string, out), [\"made\", [x]])$", refused),
+        ("apply(concat(open, w), [\"made\"])$", refused),
+        ("apply(concat(lo, ad), [\"family.mac\"])$", refused),
+        ("apply(concat(bat, ch), [\"family.mac\"])$", refused),
+        ("apply(concat(plot, \"2d\"), [x, [x,0,1]])$", refused),
+        ("g() := apply(concat(sys, tem), [\"touch made\"])$ define(h(x), g())$", refused),
+    ] {
+        fails(&format!("{worksheet} d(x,y) := x$ r(x,y) := y$"), &[words]);
+    }
+}
+
+#[test]
+fn what_is_allowed_is_run() {
+    let folder = folder("system(\"touch made\")$ d(x,y) := y-x$ r(x,y) := y$");
+    let mut options = options(Duration::from_secs(60));
+    options.maxima.allow_system = true;
+    derive(folder.path(), "family", &options).unwrap();
+    assert!(folder.path().join("made").exists());
+}
+
+#[test]
+fn files_that_somebody_else_wrote_stay() {
+    let folder = folder("d(x,y) := y-x$ r(x,y) := y$");
+    std::fs::write(folder.path().join("family.ref"), "d(x,y):=y-x$ /* by hand */\n").unwrap();
+    let error = derive(folder.path(), "family", &options(Duration::from_secs(60))).unwrap_err();
+    has(&drawn(&error), &["family.ref", "rename it if it is yours"]);
+}

@@ -1,22 +1,26 @@
 //! Reference expressions against their contract.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use closedform_maxima::{BinaryOperator, Definition, Expr, ExprKind, UnaryOperator, definitions};
-use miette::{Diagnostic, NamedSource, SourceSpan};
+use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
 use super::super::contract::Contract;
-use super::super::source;
+use super::super::source::{self, Text};
+use crate::expression::lower;
 
 /// Why a text does not hold the reference expressions of a contract.
 #[derive(Debug, Error, Diagnostic)]
-#[error("the reference expressions do not fit the contract")]
+#[error("the reference expressions do not fit the contract: {count}")]
 pub struct ReferenceError {
+    /// How much is wrong.
+    count: String,
     /// The text.
     #[source_code]
-    pub text: NamedSource<String>,
-    /// All that is wrong.
+    pub text: Text,
+    /// What is wrong, the first of it.
     #[related]
     pub mistakes: Vec<ReferenceMistake>,
 }
@@ -87,6 +91,20 @@ pub enum ReferenceMistake {
         #[label("not known to kernels")]
         span: SourceSpan,
     },
+    /// Arithmetic that no kernel can be made of.
+    #[error("`{worksheet}`: {what}")]
+    #[diagnostic(help("{remedy}"))]
+    Unsupported {
+        /// The function.
+        worksheet: String,
+        /// What is wrong.
+        what: String,
+        /// What to write instead.
+        remedy: String,
+        /// Where.
+        #[label("here")]
+        span: SourceSpan,
+    },
     /// Not arithmetic at all.
     #[error("`{worksheet}` is not a closed form")]
     #[diagnostic(help(
@@ -103,7 +121,11 @@ pub enum ReferenceMistake {
 
 /// The definitions of the text in contract order, or all that is wrong with them.
 pub(super) fn check(path: &Path, text: &str, contract: &Contract) -> Result<Vec<Definition>, ReferenceError> {
-    let fail = |mistakes| ReferenceError { text: source::named(path, text), mistakes };
+    let fail = |mistakes: Vec<ReferenceMistake>| ReferenceError {
+        count: source::count(mistakes.len()),
+        text: source::named(path, text),
+        mistakes: mistakes.into_iter().take(source::SHOWN).collect(),
+    };
     let found = definitions(text).map_err(|errors| fail(errors.errors.into_iter().map(Into::into).collect()))?;
     in_order(found, contract).map_err(fail)
 }
@@ -128,7 +150,22 @@ pub(super) fn in_order(found: Vec<Definition>, contract: &Contract) -> Result<Ve
     for extra in found.iter().filter(|d| contract.results().all(|(_, result)| result.worksheet != d.name)) {
         mistakes.push(ReferenceMistake::Extra { worksheet: extra.name.clone(), span: extra.span.clone().into() });
     }
+    let mistakes = first_of_each(mistakes);
     if mistakes.is_empty() { Ok(ordered) } else { Err(mistakes) }
+}
+
+/// Without what was said before: an unknown function is told where it stands first.
+fn first_of_each(mut mistakes: Vec<ReferenceMistake>) -> Vec<ReferenceMistake> {
+    let mut functions = BTreeSet::new();
+    let mut variables = BTreeSet::new();
+    mistakes.retain(|mistake| match mistake {
+        ReferenceMistake::UnknownFunction { name, .. } => functions.insert(name.clone()),
+        ReferenceMistake::UnknownVariable { worksheet, name, .. } => {
+            variables.insert((worksheet.clone(), name.clone()))
+        }
+        _ => true,
+    });
+    mistakes
 }
 
 fn wrong_parameters(definition: &Definition, inputs: &[String]) -> Option<ReferenceMistake> {
@@ -144,6 +181,9 @@ fn wrong_parameters(definition: &Definition, inputs: &[String]) -> Option<Refere
 pub(super) fn body_mistakes(definition: &Definition) -> Vec<ReferenceMistake> {
     let mut body = Body { definition, bound: Vec::new(), mistakes: Vec::new() };
     body.expression(&definition.body);
+    if body.mistakes.is_empty() {
+        body.unsupported(&definition.body);
+    }
     body.mistakes
 }
 
@@ -167,6 +207,7 @@ impl<'a> Body<'a> {
                 self.expression(right);
             }
             ExprKind::Call { .. } => self.call(expression),
+            ExprKind::If { .. } => self.unsupported(expression),
             _ => self.not_arithmetic(expression),
         }
     }
@@ -204,6 +245,17 @@ impl<'a> Body<'a> {
             }
             _ => self.not_arithmetic(variable),
         }
+    }
+
+    /// Says why the generator does not take the expression, if it does not.
+    fn unsupported(&mut self, expression: &Expr) {
+        let worksheet = self.definition.name.clone();
+        self.mistakes.extend(lower(expression).err().map(|error| ReferenceMistake::Unsupported {
+            worksheet,
+            what: error.what,
+            remedy: error.remedy,
+            span: error.span.into(),
+        }));
     }
 
     fn not_arithmetic(&mut self, place: &Expr) {

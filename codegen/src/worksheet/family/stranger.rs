@@ -6,25 +6,27 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use closedform_maxima::{Definition, worksheet};
-use miette::{Diagnostic, NamedSource, SourceSpan};
+use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
 use super::super::contract::{self, Contract, FamilyInfo, Input, KernelContract, ResultContract, TYPICAL};
 use super::super::domain::Domain;
-use super::super::source;
+use super::super::source::{self, Text};
 use super::reference::{self, ReferenceMistake};
 use super::{Family, FamilyError, Paths};
 
 /// Why a worksheet is not a list of definitions that kernels can be made of.
 #[derive(Debug, Error, Diagnostic)]
-#[error("{} cannot be read as a list of definitions", path.display())]
+#[error("{} cannot be read as a list of definitions: {count}", path.display())]
 pub struct WorksheetError {
     /// The worksheet.
     pub path: std::path::PathBuf,
+    /// How much is wrong.
+    count: String,
     /// Its text.
     #[source_code]
-    pub text: NamedSource<String>,
-    /// All that is wrong.
+    pub text: Text,
+    /// What is wrong, the first of it.
     #[related]
     pub mistakes: Vec<WorksheetMistake>,
 }
@@ -40,13 +42,16 @@ pub enum WorksheetMistake {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Body(#[from] ReferenceMistake),
-    /// A statement that computes.
-    #[error("this statement defines no function")]
+    /// Statements that compute.
+    #[error("{}", computing(*statements))]
     #[diagnostic(help(
-        "a worksheet that computes needs Maxima: write a contract beside it and run `closedform derive`"
+        "a worksheet that computes needs Maxima: write a contract NAME.toml beside it, run `closedform derive --folder DIR \
+         NAME`, and then this command again; ARCHITECTURE.md shows a contract"
     ))]
     Computes {
-        /// Where.
+        /// How many.
+        statements: usize,
+        /// Where the first one is.
         #[label("only Maxima can run this")]
         span: SourceSpan,
     },
@@ -112,37 +117,57 @@ pub enum WorksheetMistake {
     },
 }
 
+fn computing(statements: usize) -> String {
+    match statements {
+        1 => "this statement defines no function".to_owned(),
+        _ => format!("{statements} statements define no function; the first of them"),
+    }
+}
+
 /// The family of a worksheet, with the contract and reference expressions beside it, if there are any.
 pub(super) fn load(path: &Path) -> Result<Family, FamilyError> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let paths = Paths { worksheet: path.to_owned(), ..Paths::new(folder, &stem) };
-    if paths.contract.exists() && paths.reference.exists() {
-        return Family::load(folder, &stem);
-    }
-    let text = source::read(path, "name a Maxima worksheet")?;
-    let fail = |mistakes| {
-        FamilyError::from(WorksheetError { path: path.to_owned(), text: source::named(path, &text), mistakes })
-    };
-    let definitions = closed_definitions(&text).map_err(fail)?;
+    let name = contract::free_module_name(&stem);
     let contract = match paths.contract.exists() {
-        true => contract::load(&paths.contract)?,
-        false => contract_of(&stem, &definitions),
+        true => Some(contract::load_under_any_name(&paths.contract)?),
+        false => None,
     };
+    let contract = match contract {
+        Some(contract) if paths.reference.exists() => return Family::derived(&name, contract, paths),
+        contract => contract,
+    };
+    let text = source::read(path, "name a Maxima worksheet: a text in UTF-8 of definitions f(x,y):=..$")?;
+    let fail = |mistakes| FamilyError::from(WorksheetError::new(path, &text, mistakes));
+    let definitions = closed_definitions(&text).map_err(fail)?;
+    let contract = contract.unwrap_or_else(|| contract_of(&file_name(path), &definitions));
     let promised = definitions.into_iter().filter(|d| contract.results().any(|(_, result)| result.worksheet == d.name));
     let references = reference::in_order(promised.collect(), &contract);
     let references = references.map_err(|mistakes| fail(mistakes.into_iter().map(Into::into).collect()))?;
-    Ok(Family { name: unused_name(&stem, &BTreeSet::new()), contract, references, paths })
+    Ok(Family { name, contract, references, paths })
+}
+
+fn file_name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+impl WorksheetError {
+    fn new(path: &Path, text: &str, mistakes: Vec<WorksheetMistake>) -> Self {
+        let count = source::count(mistakes.len());
+        let mistakes = mistakes.into_iter().take(source::SHOWN).collect();
+        Self { path: path.to_owned(), count, text: source::named(path, text), mistakes }
+    }
 }
 
 /// The definitions of a text, with every call of one in another replaced by its body.
 fn closed_definitions(text: &str) -> Result<Vec<Definition>, Vec<WorksheetMistake>> {
     let sheet = worksheet(text).map_err(|errors| errors.errors.into_iter().map(Into::into).collect::<Vec<_>>())?;
-    let computes = sheet.others.iter().map(|statement| statement.expression.span.clone().into());
-    let mut mistakes: Vec<WorksheetMistake> = computes.map(|span| WorksheetMistake::Computes { span }).collect();
-    if mistakes.is_empty() {
-        mistakes = definitions_mistakes(text, &sheet.definitions);
+    if let Some(first) = sheet.others.first() {
+        let span = first.expression.span.clone().into();
+        return Err(vec![WorksheetMistake::Computes { statements: sheet.others.len(), span }]);
     }
+    let mistakes = definitions_mistakes(text, &sheet.definitions);
     if mistakes.is_empty() { inline::inline(&sheet.definitions) } else { Err(mistakes) }
 }
 
@@ -172,26 +197,27 @@ fn repeated(names: &[String]) -> Option<String> {
 
 /// What can be promised without anybody's word: every definition is a kernel, every quantity without a unit, and digits
 /// go before time.
-fn contract_of(stem: &str, definitions: &[Definition]) -> Contract {
+fn contract_of(file: &str, definitions: &[Definition]) -> Contract {
     let mut kernels: Vec<KernelContract> = Vec::new();
     let mut inputs: BTreeMap<String, Input> = BTreeMap::new();
+    let (mut taken_kernels, mut taken_inputs) = (BTreeSet::new(), BTreeSet::new());
     for definition in definitions {
-        let name = unused_name(&definition.name, &kernels.iter().map(|kernel| kernel.name.clone()).collect());
-        kernels.push(kernel(definition, name, stem));
+        kernels.push(kernel(definition, unused_name(&definition.name, &mut taken_kernels), file));
         for parameter in &definition.parameters {
-            let taken = inputs.values().map(|input| input.name.clone()).collect();
-            inputs.entry(parameter.clone()).or_insert_with(|| input(parameter, unused_name(parameter, &taken)));
+            let unused = || input(unused_name(parameter, &mut taken_inputs));
+            inputs.entry(parameter.clone()).or_insert_with(unused);
         }
     }
-    Contract { family: FamilyInfo { title: stem.to_owned(), source: String::new() }, inputs, kernels }
+    let title = format!("The formulas of the worksheet {file}");
+    Contract { family: FamilyInfo { title, source: String::new() }, inputs, kernels }
 }
 
-fn kernel(definition: &Definition, name: String, stem: &str) -> KernelContract {
+fn kernel(definition: &Definition, name: String, file: &str) -> KernelContract {
     let result = ResultContract { name: name.clone(), worksheet: definition.name.clone(), unit: "1".to_owned() };
     KernelContract {
         name,
-        doc: format!("`{}` of the worksheet.", definition.name),
-        source: format!("worksheet `{stem}`"),
+        doc: format!("The function {} of {file}.", definition.name),
+        source: file.to_owned(),
         inputs: definition.parameters.clone(),
         domain: Domain::new(definition.parameters.clone(), Vec::new()),
         branch: None,
@@ -203,18 +229,13 @@ fn kernel(definition: &Definition, name: String, stem: &str) -> KernelContract {
     }
 }
 
-fn input(parameter: &str, name: String) -> Input {
-    Input { name, unit: "1".to_owned(), typical: TYPICAL, doc: format!("`{parameter}` of the worksheet") }
+fn input(name: String) -> Input {
+    Input { name, unit: "1".to_owned(), typical: TYPICAL, doc: String::new() }
 }
 
-/// A Rust name for a Maxima name: the snake_case one, or one made of it if Rust or `taken` has that already.
-fn unused_name(maxima: &str, taken: &BTreeSet<String>) -> String {
-    let ascii: String =
-        contract::snake_case(maxima).chars().filter(|c| c.is_ascii_alphanumeric() || *c == '_').collect();
-    let letters = ascii.trim_matches('_');
-    let plain =
-        if letters.starts_with(|c: char| c.is_ascii_lowercase()) { letters.to_owned() } else { format!("x{letters}") };
-    let free = |name: &String| contract::rust_name(name).is_ok() && !taken.contains(name);
-    let others = std::iter::once(format!("{plain}_value")).chain((2_u64..).map(|number| format!("{plain}_{number}")));
-    std::iter::once(plain.clone()).chain(others).find(free).unwrap_or(plain)
+/// A Rust name for a Maxima name that is not taken yet, and is from then on.
+fn unused_name(maxima: &str, taken: &mut BTreeSet<String>) -> String {
+    let name = contract::free_name(maxima, |name| contract::rust_name(name).is_ok() && !taken.contains(name));
+    taken.insert(name.clone());
+    name
 }

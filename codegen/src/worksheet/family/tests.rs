@@ -135,8 +135,36 @@ fn strangers_that_are_no_closed_forms_are_pointed_at() {
     has(&stranger("f(x):=x+y$").unwrap_err(), &["`f` contains `y`"]);
     has(&stranger("f():=1$").unwrap_err(), &["`f` has no parameters"]);
     has(&stranger("f(x,x):=x$").unwrap_err(), &["the parameter `x` twice"]);
-    has(&stranger("f(x):=if x>0 then 1 else 2$").unwrap_err(), &["`f` is not a closed form"]);
+    has(&stranger("f(x):=if x>0 then 1 else 2$").unwrap_err(), &["an `if`", "one function for each case"]);
     has(&stranger("f(x):=x$ f(x):=2*x$").unwrap_err(), &["`f` is defined twice"]);
+}
+
+#[test]
+fn what_no_kernel_computes_is_pointed_at_before_anything_runs() {
+    has(&stranger("f(x):=1+x^65$").unwrap_err(), &["`f`: the exponent 65", "my.mac:1:", "only integers and halves"]);
+    has(&stranger("g(x):=x$ f(x):=2*x^(1/3)$").unwrap_err(), &["the exponent 1/3", "positive_root(polynomial, x)"]);
+    has(&stranger("f(x,y):=x^y$").unwrap_err(), &["a power with a variable exponent"]);
+}
+
+#[test]
+fn one_cause_is_told_once() {
+    let computing = "a: 1$ b: 2$ s: solve(x=1,x)$ t: diff(x,x)$ kill(c)$ f(x):=x$";
+    let said = stranger(computing).unwrap_err();
+    assert_eq!(said.matches("help:").count(), 1, "{said}");
+    has(&stranger(computing).unwrap_err(), &["5 statements define no function"]);
+    let said = stranger("f(x):=sin(x)+sin(2*x)+y+y$ g(x):=sin(x)$").unwrap_err();
+    assert_eq!((said.matches("calls `sin`").count(), said.matches("contains `y`").count()), (1, 1), "{said}");
+    let many: String = (0..1000).map(|number| format!("f{number}(x):=x+y{number}$\n")).collect();
+    let said = stranger(&many).unwrap_err();
+    assert!(said.contains("1000 mistakes, of which the first 20 are shown") && said.len() < 20_000, "{said}");
+}
+
+#[test]
+fn a_worksheet_of_any_name_may_have_a_contract() {
+    let text = "v(x,tOut):=x/tOut$ r(x):=x$";
+    let folder = folder(&[("my sheet.toml", CONTRACT), ("my sheet.mac", text)]);
+    let family = Family::from_worksheet(&folder.path().join("my sheet.mac")).unwrap();
+    assert_eq!((family.name.as_str(), family.contract.kernels[0].name.as_str()), ("my_sheet", "speed"));
 }
 
 #[test]

@@ -2,10 +2,11 @@
 
 use std::time::Duration;
 
-use miette::{Diagnostic, NamedSource, SourceSpan};
+use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
-use super::super::source::ReadError;
+use super::super::source::{ReadError, Text};
+use super::guard::Reaching;
 
 /// Why Maxima did not derive anything.
 #[derive(Debug, Error, Diagnostic)]
@@ -14,6 +15,10 @@ pub enum ProcessError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Read(#[from] ReadError),
+    /// The worksheet wants more than to compute.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Reaching(#[from] Box<Reaching>),
     /// Maxima did not even start.
     #[error("cannot run Maxima (`{program}`): {cause}")]
     #[diagnostic(help("{}", cause.remedy()))]
@@ -29,7 +34,7 @@ pub enum ProcessError {
     Unended {
         /// The worksheet.
         #[source_code]
-        text: NamedSource<String>,
+        text: Text,
         /// The statement; none if a function of the worksheet was being applied.
         #[label("no `$` or `;` follows")]
         place: SourceSpan,
@@ -42,7 +47,7 @@ pub enum ProcessError {
         question: String,
         /// The worksheet.
         #[source_code]
-        text: NamedSource<String>,
+        text: Text,
         /// The statement; none if a function of the worksheet was being applied.
         #[label("this statement asks")]
         place: Option<SourceSpan>,
@@ -55,7 +60,7 @@ pub enum ProcessError {
         message: String,
         /// The worksheet.
         #[source_code]
-        text: NamedSource<String>,
+        text: Text,
         /// The statement; none if a function of the worksheet was being applied.
         #[label("this statement fails")]
         place: Option<SourceSpan>,
@@ -68,7 +73,7 @@ pub enum ProcessError {
         limit: Duration,
         /// The worksheet.
         #[source_code]
-        text: NamedSource<String>,
+        text: Text,
         /// The statement; none if a function of the worksheet was being applied.
         #[label("still running")]
         place: Option<SourceSpan>,
@@ -79,7 +84,7 @@ pub enum ProcessError {
     TooMuchOutput {
         /// The worksheet.
         #[source_code]
-        text: NamedSource<String>,
+        text: Text,
         /// The statement; none if a function of the worksheet was being applied.
         #[label("still printing")]
         place: Option<SourceSpan>,
@@ -90,7 +95,7 @@ pub enum ProcessError {
     Quit {
         /// The worksheet.
         #[source_code]
-        text: NamedSource<String>,
+        text: Text,
         /// The statement; none if a function of the worksheet was being applied.
         #[label("Maxima ends here")]
         place: Option<SourceSpan>,

@@ -17,14 +17,20 @@ mod waypoints;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use error::Outcome;
 use output::Output;
 
+/// What the command is called by who has only this one.
+const OWN_NAME: &str = "closedform-motion";
+
+/// The environment variable with which `closedform` says that it hands on, so that help names the command that was typed.
+const CALLED_BY_CLOSEDFORM: &str = "CLOSEDFORM_HANDS_ON";
+
 /// Plans moves: times, tables for the controller, and pictures
 #[derive(Parser)]
-#[command(name = "closedform", bin_name = "closedform", version)]
+#[command(name = OWN_NAME, bin_name = OWN_NAME, version)]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -114,8 +120,18 @@ impl Kind {
     }
 }
 
+impl Cli {
+    /// The arguments, read by the command under the name that was typed.
+    fn read() -> Self {
+        let name = if std::env::var_os(CALLED_BY_CLOSEDFORM).is_some() { "closedform" } else { OWN_NAME };
+        let mut command = Self::command().name(name).bin_name(name);
+        let matches = command.get_matches_mut();
+        Self::from_arg_matches(&matches).unwrap_or_else(|error| error.format(&mut command).exit())
+    }
+}
+
 fn main() -> ExitCode {
-    let outcome = match Cli::parse().command {
+    let outcome = match Cli::read().command {
         Command::Plan(kind) => kind.run(),
         Command::Plot(kind) => kind.drawn().run(),
         Command::Gallery { folder } => gallery::run(&folder),

@@ -135,6 +135,8 @@ type Sink<'a> = &'a mut dyn FnMut(&Row) -> Result<(), TableError>;
 /// Times, writes and prints.
 pub fn run(inputs: &Inputs, output: &Output) -> Outcome<()> {
     let inputs = merged(inputs, output.file.as_deref())?;
+    output.spares(inputs.points_file.as_deref())?;
+    output.spares(inputs.gcode.as_deref())?;
     let milling = inputs.milling()?;
     let mut kept = Vec::new();
     let mut keep = |row: &Row| {

@@ -54,7 +54,20 @@ impl Output {
         if let Some(path) = self.picture.as_deref().filter(|path| !ends(path, ["svg", "png"])) {
             return Err(Failure::from(PlotError::Format { path: path.display().to_string() }));
         }
-        Ok(())
+        self.spares(self.file.as_deref())
+    }
+
+    /// Whether what is to be written leaves a file alone that the plan is read from.
+    pub fn spares(&self, read: Option<&Path>) -> Outcome<()> {
+        let written = [("table", &self.table), ("picture", &self.picture)];
+        let mut written = written.into_iter().filter_map(|(flag, path)| Some((flag, path.as_deref()?)));
+        match read.and_then(|read| written.find(|(_, path)| is_same_file(path, read))) {
+            Some((flag, path)) => {
+                let message = format!("the plan is read from this file: give --{flag} another name, so that it stays");
+                Err(Failure::Input(message).at(path))
+            }
+            None => Ok(()),
+        }
     }
 
     /// Writes the table of some knots, if one is asked for.
@@ -87,4 +100,10 @@ impl Output {
     pub fn print(&self, summary: &Summary) {
         print!("{}", if self.json { summary.json() } else { summary.text() });
     }
+}
+
+/// Whether both paths lead to one file that is there.
+fn is_same_file(one: &Path, other: &Path) -> bool {
+    let [one, other] = [one, other].map(std::fs::canonicalize);
+    one.is_ok_and(|one| other.is_ok_and(|other| one == other))
 }

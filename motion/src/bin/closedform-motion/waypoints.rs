@@ -66,7 +66,9 @@ impl Inputs {
 
 /// Plans, writes and prints.
 pub fn run(inputs: &Inputs, output: &Output) -> Outcome<()> {
-    let waypoints = merged(inputs, output.file.as_deref())?.waypoints()?;
+    let inputs = merged(inputs, output.file.as_deref())?;
+    output.spares(inputs.points_file.as_deref())?;
+    let waypoints = inputs.waypoints()?;
     let plan = waypoints.plan()?;
     let motion = plan.motion();
     let mut summary = Summary::new("waypoints");
