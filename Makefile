@@ -7,6 +7,8 @@ SEED ?= 1
 .PHONY: run test tools
 
 run: tools
+	@echo "building the generator and what it needs; the first time that takes some minutes, most of them for Symbolica and GMP"
+	$(CARGO) build --package closedform-codegen
 	$(CARGO) run --quiet --package closedform-codegen -- generate
 
 test: tools
