@@ -14,6 +14,7 @@ mod step;
 mod summary;
 mod waypoints;
 
+use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -115,16 +116,25 @@ impl Kind {
 }
 
 fn main() -> ExitCode {
-    let outcome = match Cli::parse().command {
-        Command::Plan(kind) => kind.run(),
-        Command::Plot(kind) => kind.drawn().run(),
-        Command::Gallery { folder } => gallery::run(&folder),
+    let outcome = match Cli::try_parse() {
+        Ok(cli) => run(cli.command),
+        Err(answer) if answer.use_stderr() => answer.exit(),
+        // help and version
+        Err(answer) => output::unless_closed(answer.print().and_then(|()| io::stdout().flush())),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("error: {}", failure.message());
+            output::note(&format!("error: {}", failure.message()));
             ExitCode::from(failure.code())
         }
+    }
+}
+
+fn run(command: Command) -> Outcome<()> {
+    match command {
+        Command::Plan(kind) => kind.run(),
+        Command::Plot(kind) => kind.drawn().run(),
+        Command::Gallery { folder } => gallery::run(&folder),
     }
 }
