@@ -1,5 +1,6 @@
 //! Generated folders: compared whole with what they should hold, and replaced whole.
 
+use crate::scratch;
 use similar::TextDiff;
 use std::collections::BTreeMap;
 use std::fs;
@@ -84,13 +85,12 @@ pub fn replace(folder: &Path, files: &BTreeMap<String, String>) -> io::Result<us
     let mut pending = Vec::new();
     for difference in &differences {
         if let Difference::Stale(name, _) | Difference::Missing(name) = difference {
-            let mut file = tempfile::NamedTempFile::new_in(folder)?;
+            let mut file = scratch::beside(&folder.join(name))?;
             file.write_all(files[name].as_bytes())?;
             pending.push((file, name));
         }
     }
     for (file, name) in pending {
-        make_readable(file.as_file())?;
         file.persist(folder.join(name)).map_err(|error| error.error)?;
     }
     for difference in &differences {
@@ -99,16 +99,4 @@ pub fn replace(folder: &Path, files: &BTreeMap<String, String>) -> io::Result<us
         }
     }
     Ok(differences.len())
-}
-
-/// Temporary files are private; generated ones are for everybody to read.
-#[cfg(unix)]
-fn make_readable(file: &fs::File) -> io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    file.set_permissions(fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn make_readable(_file: &fs::File) -> io::Result<()> {
-    Ok(())
 }

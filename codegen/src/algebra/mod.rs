@@ -4,4 +4,4 @@ mod polynomial;
 mod turn;
 
 pub use polynomial::{Factors, Polynomial, Ring, Term, Var};
-pub use turn::{Turn, TurnError};
+pub use turn::{Patience, Turn, TurnError, WAIT};

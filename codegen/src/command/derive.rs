@@ -1,11 +1,13 @@
 //! `closedform derive`: Maxima runs the worksheets; references, golden values and verdicts are written anew.
 
 use super::generate::worksheets;
+use super::output;
 use super::verdicts::Page;
 use crate::worksheet::derive::{Options, derive};
 use crate::worksheet::family::family_names;
 use clap::Args as ClapArgs;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// Run worksheets in Maxima and write their reference expressions and golden values, and the verdicts on the scans
 #[derive(Debug, ClapArgs)]
@@ -15,6 +17,10 @@ pub struct Args {
     /// The folder of worksheets and contracts, if not this project's
     #[arg(long, value_name = "DIR")]
     folder: Option<PathBuf>,
+    /// How many seconds of processor time each worksheet may use, 120 otherwise; CLOSEDFORM_MAXIMA_LIMIT is the same for
+    /// all commands
+    #[arg(long, value_name = "SECONDS")]
+    limit: Option<u64>,
 }
 
 /// Derives all families first, and writes their files then.
@@ -25,14 +31,24 @@ pub struct Args {
 pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
     let folder = args.folder.clone().unwrap_or_else(|| worksheets(root));
     let names = if args.families.is_empty() { family_names(&folder)? } else { args.families.clone() };
+    let mut options = Options::default();
+    if let Some(seconds) = args.limit {
+        options.maxima.limit = Duration::from_secs(seconds);
+    }
     let mut derived = Vec::new();
     for name in &names {
-        derived.push((name, derive(&folder, name, &Options::default())?));
+        derived.push((name, derive(&folder, name, &options)?));
     }
-    let page = Page::of(&folder, &names)?;
+    let page = Page::of(&folder, &names, &options.maxima)?;
+    let mut said = String::new(); // when all is written
     for (name, family) in derived {
         family.write()?;
-        println!("{name}: {} reference expressions, {} golden values", family.definitions.len(), family.values.len());
+        let (expressions, values) = (family.definitions.len(), family.values.len());
+        said += &format!("{name}: {expressions} reference expressions, {values} golden values\n");
     }
-    page.map_or(Ok(()), |page| Ok(page.write()?))
+    if let Some(page) = page {
+        page.write()?;
+        said += &page.summary();
+    }
+    Ok(output::print(&said)?)
 }

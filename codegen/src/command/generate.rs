@@ -59,10 +59,10 @@ fn project(args: &Args, root: &Path) -> miette::Result<()> {
         changed += usize::from(ledger::update(root, &rows)?);
     }
     report(&generated.kernels, &catalogue, &rows)?;
-    eprintln!(
+    output::note(&format!(
         "{} kernels, all proved equal to their reference expressions, all bounds proved; {changed} files changed",
         generated.kernels.len()
-    );
+    ));
     Ok(())
 }
 
@@ -82,7 +82,8 @@ fn own_crate(args: &Args, input: &Path, out: &Path, root: &Path) -> miette::Resu
     }
     let catalogue = Catalogue::load(&out.join("src"))?;
     report(&generated.kernels, &catalogue, &ledger::rows(out, &catalogue, args.points)?)?;
-    eprintln!("{} kernels in {}: `cargo test` there runs their judges", generated.kernels.len(), out.display());
+    let count = generated.kernels.len();
+    output::note(&format!("{count} kernels in {}: `cargo test` there runs their judges", out.display()));
     Ok(())
 }
 

@@ -1,12 +1,13 @@
 //! Files written all or none: each beside its target first, then renamed.
 
 use std::io::Write;
-use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
-use tempfile::{Builder, NamedTempFile};
+use tempfile::NamedTempFile;
 use thiserror::Error;
+
+use crate::scratch;
 
 /// A file that could not be written; what was there before is untouched.
 #[derive(Debug, Error, Diagnostic)]
@@ -34,9 +35,7 @@ pub fn write_all(files: &[(&Path, &str)]) -> Result<(), WriteError> {
 }
 
 fn beside(path: &Path, text: &str) -> std::io::Result<NamedTempFile> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let readable = std::fs::Permissions::from_mode(0o666); // less what the user's umask takes
-    let mut file = Builder::new().prefix(".closedform").permissions(readable).tempfile_in(folder)?;
+    let mut file = scratch::beside(path)?;
     file.write_all(text.as_bytes())?;
     Ok(file)
 }

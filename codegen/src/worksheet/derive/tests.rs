@@ -169,3 +169,19 @@ fn a_worksheet_prints_what_it_likes() {
     let folder = folder(&format!("{noise} {WORKSHEET} {noise}"));
     assert!(derive(folder.path(), "family", &Options::default()).is_ok());
 }
+
+#[test]
+fn waiting_costs_no_processor_time_but_ends_too() {
+    let sleep = "x: 1$ system(\"sleep 3\")$";
+    has(&failure(sleep, Duration::from_millis(1500)), &["family.mac defines no function `d`"]);
+    let report = failure("x: 1$\nsystem(\"sleep 1000\")$", Duration::from_millis(500));
+    has(&report, &["Maxima did not finish in 10 s, of which it used 0 s", "family.mac:2:1", "sleeps or waits"]);
+}
+
+#[test]
+fn children_of_maxima_count() {
+    let start = std::time::Instant::now();
+    let report = failure("x: 1$\nsystem(\"while true; do true; done\")$", Duration::from_secs(2));
+    has(&report, &["did not finish in 2 s of processor time", "family.mac:2:1", "--limit"]);
+    assert!(start.elapsed() < Duration::from_secs(60));
+}
