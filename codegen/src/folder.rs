@@ -1,5 +1,6 @@
 //! Generated folders: compared whole with what they should hold, and replaced whole.
 
+use crate::scratch;
 use similar::TextDiff;
 use std::collections::BTreeMap;
 use std::fs;
@@ -94,7 +95,7 @@ pub fn write(folder: &Path, files: &BTreeMap<String, String>) -> io::Result<usiz
     let mut pending = Vec::new();
     for difference in &compare(folder, files)? {
         if let Difference::Stale(name, _) | Difference::Missing(name) = difference {
-            let mut file = beside(folder)?;
+            let mut file = scratch::beside(&folder.join(name))?;
             file.write_all(files[name].as_bytes())?;
             pending.push((file, name.clone()));
         }
@@ -104,16 +105,4 @@ pub fn write(folder: &Path, files: &BTreeMap<String, String>) -> io::Result<usiz
         file.persist(folder.join(name)).map_err(|error| error.error)?;
     }
     Ok(changed)
-}
-
-/// A file that is to be moved into this folder, for everybody to read as any other new file.
-///
-/// # Errors
-/// When the folder cannot be written.
-pub fn beside(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".closedform-");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666)); // less what the user's umask takes
-    builder.tempfile_in(folder)
 }

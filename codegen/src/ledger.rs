@@ -14,6 +14,7 @@ use thiserror::Error;
 use crate::catalogue::{Catalogue, DomainError, Entry};
 use crate::kept::{KeptError, KeptInputs};
 use crate::measure::{REFERENCE_BITS, Reference, ReferenceError, ValueError, covers, results, ulp_error, ulp_text};
+use crate::scratch;
 use crate::worksheet::hexfloat;
 use crate::worksheet::sample::{EmptyDomain, sample};
 
@@ -162,8 +163,7 @@ pub fn path(root: &Path) -> PathBuf {
 }
 
 fn write(root: &Path, text: &str) -> io::Result<()> {
-    let readable = <fs::Permissions as std::os::unix::fs::PermissionsExt>::from_mode(0o644);
-    let file = tempfile::Builder::new().permissions(readable).tempfile_in(root.join("tests"))?;
+    let file = scratch::beside(&path(root))?;
     fs::write(file.path(), text)?;
     file.persist(path(root)).map_err(|error| error.error)?;
     Ok(())

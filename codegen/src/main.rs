@@ -1,9 +1,13 @@
 //! The command `closedform`: reads its arguments and says what went wrong.
 
 use clap::{Parser, Subcommand};
-use closedform_codegen::command::{bound, check, derive, eval, generate, ledger, list, motion, mutants, show, verify};
+use closedform_codegen::command::{
+    bound, check, derive, eval, generate, ledger, list, motion, mutants, output, show, verify,
+};
 use closedform_codegen::root::{self, project_root};
 use closedform_codegen::worker::{self, Source};
+use miette::MietteHandlerOpts;
+use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -37,7 +41,8 @@ enum Command {
     /// What `generate` and `check` run in a process of its own, because it needs Symbolica
     #[command(name = worker::SUBCOMMAND, hide = true)]
     Worker {
-        output: PathBuf,
+        /// The process that asks
+        parent: u32,
         #[arg(long, required_unless_present = "worksheet")]
         folder: Option<PathBuf>,
         #[arg(long)]
@@ -48,13 +53,32 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    match run(Cli::parse()) {
+    let done = match Cli::try_parse() {
+        Ok(cli) => run(cli),
+        Err(answer) if answer.use_stderr() => answer.exit(),
+        // help and version
+        Err(answer) => said(&answer),
+    };
+    match done {
         Ok(code) => code,
         Err(report) => {
-            eprintln!("{report:?}");
+            output::note(&format!("{report:?}"));
             ExitCode::FAILURE
         }
     }
+}
+
+fn said(answer: &clap::Error) -> miette::Result<ExitCode> {
+    output::unless_closed(answer.print().and_then(|()| io::stdout().flush()))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The worker's errors appear on the command's terminal, as wide as that says.
+fn fit_errors() -> miette::Result<()> {
+    let width = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok());
+    let Some(width) = width else { return Ok(()) };
+    miette::set_hook(Box::new(move |_| Box::new(MietteHandlerOpts::new().width(width).build())))?;
+    Ok(())
 }
 
 fn run(cli: Cli) -> miette::Result<ExitCode> {
@@ -72,14 +96,15 @@ fn run(cli: Cli) -> miette::Result<ExitCode> {
         Command::Ledger(args) => ledger::run(&args, &root()?)?,
         Command::Mutants(args) => mutants::run(&args, &root()?)?,
         Command::Bound(args) => bound::run(&args)?,
-        Command::Worker { output, folder, worksheet, kernels } => {
+        Command::Worker { parent, folder, worksheet, kernels } => {
             let source = match (folder, worksheet, kernels) {
                 (_, Some(worksheet), _) => Source::Worksheet(worksheet),
                 (Some(folder), _, Some(kernels)) => Source::Rederived { folder, kernels, allow_system: false },
                 (Some(folder), _, None) => Source::Folder(folder),
                 (None, None, _) => return Err(root::nothing_named()),
             };
-            worker::work(&source, &output)?;
+            fit_errors()?;
+            worker::work(&source, parent)?;
         }
     }
     Ok(ExitCode::SUCCESS)

@@ -1,19 +1,27 @@
 //! The worker: a process of its own for everything that needs Symbolica.
 //!
-//! Symbolica without a licence key prints its notice on standard output and may abort the process. The command therefore
-//! starts itself once more, hands the notice on to standard error, and turns an abort into an error.
+//! Symbolica without a licence key prints its notice on standard output and aborts the process if another one of the machine
+//! uses it. The command therefore starts itself once more when it is its turn, hands the notice on to standard error, and
+//! tells an abort of Symbolica, after which it tries again, from a crash, which is a mistake.
 
-use crate::algebra::{Turn, TurnError};
-use crate::pipeline::{Generated, PipelineError, all, generate, unproved};
-use crate::worksheet::derive::{DeriveError, Options, rederive};
+mod attempt;
+mod inside;
+mod words;
+
+use crate::algebra::{Patience, Turn, TurnError, WAIT};
+use crate::command::output::note;
+use crate::pipeline::{Generated, PipelineError, all};
+use crate::worksheet::derive::DeriveError;
 use crate::worksheet::family::{Family, FamilyError, families};
-use crate::worksheet::maxima_process::ALLOW_SYSTEM_VARIABLE;
-use indicatif::{ProgressBar, ProgressStyle};
+use attempt::{Ending, LIMIT, attempt};
 use miette::Diagnostic;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::{fs, io};
+use std::io;
+use std::path::PathBuf;
+use std::process::ExitStatus;
+use std::time::Duration;
 use thiserror::Error;
+
+pub use inside::work;
 
 /// What is to be generated.
 #[derive(Clone, Debug)]
@@ -36,20 +44,51 @@ pub enum Source {
 /// Why the worker gave no result.
 #[derive(Debug, Error, Diagnostic)]
 pub enum WorkerError {
-    /// The process could not be started or its result not be read.
+    /// The process could not be started or not be heard.
     #[error("cannot run the algebra in a process of its own: {0}")]
-    #[diagnostic(help("make the folder for temporary files writable, or point TMPDIR to one that is"))]
+    #[diagnostic(help("end other programs if the machine has no more processes or memory"))]
     Io(#[from] io::Error),
     /// It has said why.
     #[error("nothing was generated")]
     Failed,
-    /// It was ended by a signal.
-    #[error("Symbolica ended the process: nothing was generated")]
+    /// Symbolica runs elsewhere.
+    #[error("Symbolica is in use on this machine by a program that does not share the lock of closedform")]
     #[diagnostic(help(
-        "without a licence key Symbolica runs once a machine, and another program that uses it seems to run: end that \
-         one, or set SYMBOLICA_LICENSE"
+        "without a licence key Symbolica runs once a machine, containers and other temporary folders included: end that \
+         program, set {WAIT} to more seconds than the {seconds} that this command has waited, or set SYMBOLICA_LICENSE"
     ))]
-    Aborted,
+    Elsewhere {
+        /// How long was waited.
+        seconds: u64,
+    },
+    /// It was ended by a signal, or by a panic.
+    #[error("the algebra crashed ({status}) while it made `{what}`: nothing was generated")]
+    #[diagnostic(help(
+        "this is a mistake of the generator, or the machine lacks memory: what was said last stands above. Split the \
+         formula into smaller ones, and please report it together with its worksheet and contract"
+    ))]
+    Crashed {
+        /// What it made.
+        what: String,
+        /// How it ended.
+        status: ExitStatus,
+    },
+    /// It took too long.
+    #[error("`{what}` was not made in {limit} s of processor time: nothing was generated")]
+    #[diagnostic(help(
+        "split the formula into smaller ones or say more of its signs in a contract's `domain`; {LIMIT} sets how many \
+         seconds one kernel may take"
+    ))]
+    OutOfTime {
+        /// What it made.
+        what: String,
+        /// How long it could take.
+        limit: u64,
+    },
+    /// The limit is no number.
+    #[error("{LIMIT} is `{0}`, which is no number of seconds")]
+    #[diagnostic(help("set it to the seconds of processor time that one kernel may take"))]
+    Limit(String),
     /// The families are wrong.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -76,82 +115,39 @@ pub enum WorkerError {
 /// The name of the subcommand that does the work.
 pub const SUBCOMMAND: &str = "algebra-worker";
 
-/// Generates in a process of its own.
+/// How long to leave Symbolica to others before another attempt.
+const PAUSE: Duration = Duration::from_secs(1);
+
+/// Generates in a process of its own, when it is its turn.
 ///
 /// # Errors
-/// When that process fails; it has then said why on standard error.
+/// When the source is wrong, it is not our turn in time, or that process fails; it has then said why on standard error.
 pub fn run(source: &Source) -> Result<Generated, WorkerError> {
-    let output = tempfile::Builder::new().prefix("closedform-").suffix(".json").tempfile()?;
-    let mut command = Command::new(std::env::current_exe()?);
-    command.arg(SUBCOMMAND).arg(output.path());
-    match source {
-        Source::Folder(folder) => command.arg("--folder").arg(folder),
-        Source::Worksheet(worksheet) => command.arg("--worksheet").arg(worksheet),
-        Source::Rederived { folder, kernels, allow_system } => {
-            if *allow_system {
-                command.env(ALLOW_SYSTEM_VARIABLE, "1");
-            }
-            command.arg("--folder").arg(folder).arg("--kernels").arg(kernels)
+    source.check()?;
+    let limit = attempt::limit()?;
+    let patience = Patience::from_environment()?;
+    let turn = Turn::take(&patience, note)?;
+    let mut tried = false;
+    loop {
+        match attempt(source, &turn, limit, tried)? {
+            Ending::Made(generated) => return Ok(generated),
+            Ending::Refused if patience.wait(PAUSE) => {}
+            Ending::Refused => return Err(WorkerError::Elsewhere { seconds: patience.seconds() }),
         }
-    };
-    let status = command.stdin(Stdio::null()).stdout(Stdio::from(io::stderr())).status()?;
-    match status.code() {
-        Some(0) => Ok(serde_json::from_slice(&fs::read(output.path())?).map_err(io::Error::from)?),
-        Some(1) => Err(WorkerError::Failed),
-        _ => Err(WorkerError::Aborted),
-    }
-}
-
-/// What that process does: generates and writes the result to a file.
-///
-/// # Errors
-/// When a family is wrong, the lock is taken, or a kernel cannot be made or proved.
-pub fn work(source: &Source, output: &Path) -> Result<(), WorkerError> {
-    let generated = match source {
-        Source::Folder(folder) => generated(&families(folder)?)?,
-        Source::Worksheet(worksheet) => generated(&[Family::from_worksheet(worksheet)?])?,
-        Source::Rederived { folder, kernels, .. } => {
-            rederived(folder, kernels)?;
-            Generated::default()
+        if !tried {
+            let seconds = patience.seconds();
+            note(&format!("waiting for a program that uses Symbolica elsewhere on this machine, {seconds} s at most"));
         }
-    };
-    fs::write(output, serde_json::to_vec(&generated).map_err(io::Error::from)?)?;
-    Ok(())
-}
-
-fn generated(families: &[Family]) -> Result<Generated, WorkerError> {
-    let _turn = Turn::take()?;
-    let bar = progress_bar(families.iter().map(|family| family.contract.kernels.len()).sum());
-    let generated = generate(families, |kernel| {
-        bar.set_message(kernel.to_owned());
-        bar.inc(1);
-    })
-    .map_err(WorkerError::Pipeline)?;
-    bar.finish_and_clear();
-    Ok(generated)
-}
-
-/// Proves the kernels as checked in equal to what the worksheets derive now.
-fn rederived(folder: &Path, kernels: &Path) -> Result<(), WorkerError> {
-    let mut families = families(folder)?;
-    for family in &mut families {
-        family.references = rederive(folder, &family.name, &Options::default())?;
+        tried = true;
     }
-    let _turn = Turn::take()?;
-    let mut causes = Vec::new();
-    for family in &families {
-        let text = fs::read_to_string(kernels.join(format!("{}.rs", family.name)))?;
-        causes.extend(unproved(family, &text));
-    }
-    if causes.is_empty() { Ok(()) } else { Err(WorkerError::Changed(causes)) }
 }
 
-/// A bar on standard error; indicatif hides it where that is no terminal.
-fn progress_bar(kernels: usize) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");
-    let bar = ProgressBar::new(kernels as u64);
-    match style {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
+impl Source {
+    /// What is wrong is better said before waiting for others than after.
+    fn check(&self) -> Result<(), FamilyError> {
+        match self {
+            Self::Worksheet(worksheet) => Family::from_worksheet(worksheet).map(drop),
+            Self::Folder(folder) | Self::Rederived { folder, .. } => families(folder).map(drop),
+        }
     }
 }

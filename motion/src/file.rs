@@ -1,10 +1,19 @@
 //! Files that are written whole or not at all.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
+use std::time::Duration;
 
 use tempfile::{Builder, NamedTempFile};
+
+/// How the names of temporary files begin and end, around letters and digits that the system chooses; also in codegen.
+const START: &str = ".closedform-";
+const END: &str = ".part";
+const CHOSEN: usize = 6;
+
+/// So long after it was made, a temporary file in use is certainly locked.
+const YOUNG: Duration = Duration::from_secs(60);
 
 /// Writes a file beside its place and moves it there when all is written: a reader sees the old file or the new one, and
 /// where `write` fails, the old one stays.
@@ -24,12 +33,37 @@ pub(crate) fn write_whole<T, E: From<io::Error>>(
 /// A temporary file in the folder of `path`, because a file moves in one step only within a file system.
 fn beside(path: &Path) -> io::Result<NamedTempFile> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    remove_left(folder);
     let mut builder = Builder::new();
-    builder.prefix(".closedform-");
+    builder.prefix(START).suffix(END).rand_bytes(CHOSEN);
     // As any other new file, the umask allowing; a temporary one is its owner's alone.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder)
+    let file = builder.tempfile_in(folder)?;
+    // Says that it is in use; on a file system without locks nobody can lock it, so nobody removes it.
+    _ = file.as_file().try_lock();
+    Ok(file)
+}
+
+/// Removes the temporary files of killed commands: those that nobody holds. What cannot be read or removed stays.
+fn remove_left(folder: &Path) {
+    let paths = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    for path in paths.filter(|path| is_ours(path) && is_left(path)) {
+        _ = fs::remove_file(path);
+    }
+}
+
+fn is_ours(path: &Path) -> bool {
+    let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+    let chosen = name.strip_prefix(START).and_then(|rest| rest.strip_suffix(END)).unwrap_or_default();
+    chosen.len() == CHOSEN && chosen.chars().all(|c| c.is_ascii_alphanumeric())
+}
+
+fn is_left(path: &Path) -> bool {
+    let Ok(file) = File::open(path) else { return false };
+    let changed = file.metadata().and_then(|data| data.modified()).ok();
+    let is_old = changed.and_then(|changed| changed.elapsed().ok()).is_some_and(|age| age > YOUNG);
+    is_old && file.try_lock().is_ok()
 }
 
 #[cfg(test)]
@@ -46,7 +80,28 @@ mod tests {
             Err(io::Error::other("stop"))
         });
         assert!(failed.is_err());
-        assert_eq!(std::fs::read(&path).expect("the old file"), b"old");
-        assert_eq!(std::fs::read_dir(folder.path()).expect("a folder").count(), 1);
+        assert_eq!(fs::read(&path).expect("the old file"), b"old");
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 1);
+    }
+
+    #[test]
+    fn only_what_a_killed_command_left_is_removed() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let make = |name: &str, age| {
+            let file = File::create(folder.path().join(name)).expect("a file");
+            file.set_modified(std::time::SystemTime::now() - age).expect("an age");
+            file
+        };
+        drop(make(".closedform-left66.part", 2 * YOUNG));
+        drop(make(".closedform-notes.part", 2 * YOUNG));
+        drop(make(".closedform-young6.part", Duration::ZERO));
+        let used = make(".closedform-used66.part", 2 * YOUNG);
+        used.try_lock().expect("a lock");
+        write_whole(&folder.path().join("a.csv"), |out| out.write_all(b"new")).expect("written");
+        let names = fs::read_dir(folder.path()).expect("a folder").map(|entry| entry.expect("an entry").file_name());
+        let mut names: Vec<String> = names.map(|name| name.to_string_lossy().into_owned()).collect();
+        names.sort();
+        let stay = [".closedform-notes.part", ".closedform-used66.part", ".closedform-young6.part", "a.csv"];
+        assert_eq!(names, stay);
     }
 }

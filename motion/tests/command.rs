@@ -210,3 +210,32 @@ fn help_and_version_name_the_command_that_was_typed() {
     let output = handed_on.env("CLOSEDFORM_HANDS_ON", "1").args(["plan", "--help"]).output().expect("runs");
     assert!(String::from_utf8_lossy(&output.stdout).contains("Usage: closedform plan <COMMAND>"));
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn nobody_reads_on_or_the_disk_is_full() {
+    use std::io;
+    use std::process::Stdio;
+
+    let folder = folder();
+    let full = || Stdio::from(fs::OpenOptions::new().write(true).open("/dev/full").expect("opens"));
+    let closed = || Stdio::from(io::pipe().expect("a pipe").1);
+    let run = |arguments: &str, output: Stdio, errors: Stdio| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_closedform-motion"));
+        command.current_dir(&folder).args(arguments.split_whitespace()).stdout(output).stderr(errors);
+        command.spawn().expect("starts").wait_with_output().expect("ends")
+    };
+    let plans = kinds().into_iter().map(|(kind, inputs)| format!("plan {kind} {inputs}"));
+    for arguments in plans.chain(["--help".to_owned(), "--version".to_owned(), "plan step --help".to_owned()]) {
+        let unread = run(&arguments, closed(), Stdio::piped());
+        assert_eq!((unread.status.code(), &*unread.stderr), (Some(0), &b""[..]), "{arguments}");
+        let lost = run(&arguments, full(), Stdio::piped());
+        let error = String::from_utf8(lost.stderr).expect("text");
+        assert_eq!(lost.status.code(), Some(1), "{arguments}: {error}");
+        assert!(error.starts_with("error: cannot write to standard output: "), "{arguments}: {error}");
+        assert_eq!(error.lines().count(), 1, "{arguments}: {error}");
+    }
+    for errors in [full(), closed()] {
+        assert_eq!(run("plan step", Stdio::null(), errors).status.code(), Some(2));
+    }
+}

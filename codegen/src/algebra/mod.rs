@@ -5,5 +5,5 @@ mod turn;
 mod work;
 
 pub use polynomial::{Factors, Polynomial, Ring, Term, Var};
-pub use turn::{Turn, TurnError};
+pub use turn::{Patience, Turn, TurnError, WAIT};
 pub use work::{TooMuchWork, limited};

@@ -1,17 +1,32 @@
 //! The turn to use Symbolica: a lock of the machine, because a second unlicensed process would abort.
 
 use std::fs::{File, OpenOptions, TryLockError};
-use std::path::PathBuf;
+use std::io::{self, ErrorKind, Read, Seek, Write};
+use std::path::{Path, PathBuf};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 use thiserror::Error;
 
-/// The environment variable that says for how many seconds to wait for the lock; without it, not at all.
+/// The environment variable that says for how many seconds to wait for a turn.
 pub const WAIT: &str = "CLOSEDFORM_WAIT";
 
-/// The right to use Symbolica, until it is dropped.
+/// How many seconds to wait where it says nothing: longer than any project of this size takes.
+const USUAL_WAIT: u64 = 900;
+
+/// The right to use Symbolica. It ends when all processes that hold the lock file have ended or dropped it, so the process
+/// that uses Symbolica shall hold it too.
+#[derive(Debug)]
 pub struct Turn {
-    _lock: File,
+    lock: File,
+}
+
+/// For how long to wait.
+#[derive(Clone, Copy, Debug)]
+pub struct Patience {
+    /// Since when.
+    start: Instant,
+    /// How long.
+    seconds: u64,
 }
 
 /// Why it is not our turn.
@@ -19,43 +34,137 @@ pub struct Turn {
 pub enum TurnError {
     /// Another process holds the lock.
     #[error(
-        "another closedform command is doing algebra on this machine (lock {0})\n\
+        "another closedform command is doing algebra on this machine ({holder}lock {path})\n\
          Symbolica without a licence key runs once a machine: wait until that command has finished, then run this one \
-         again, or set {WAIT} to the seconds that this one may wait"
+         again, or set {WAIT} to more seconds than the {seconds} that this one has waited"
     )]
-    Busy(PathBuf),
+    Busy {
+        /// Who holds it, with a comma, if that is known.
+        holder: String,
+        /// The lock file.
+        path: PathBuf,
+        /// How long was waited.
+        seconds: u64,
+    },
     /// The lock file cannot be opened.
     #[error("cannot open the lock file {path}: {cause}\nmake the folder writable or point TMPDIR to one that is")]
     Lock {
         /// The lock file.
         path: PathBuf,
         /// What the system said.
-        cause: std::io::Error,
+        cause: io::Error,
     },
+    /// The environment variable is no number.
+    #[error("{WAIT} is `{0}`, which is no number of seconds: set it to one, 0 if this command shall not wait")]
+    Patience(String),
 }
 
-impl Turn {
-    /// Takes the machine's lock, after a wait if [`WAIT`] allows one.
+impl Patience {
+    /// What the environment asks for, from now on.
     ///
     /// # Errors
-    /// When another process holds it, or the lock file cannot be opened.
-    pub fn take() -> Result<Self, TurnError> {
-        let path = std::env::temp_dir().join("closedform-symbolica.lock");
-        let open = OpenOptions::new().create(true).truncate(false).write(true).open(&path);
-        let lock = open.map_err(|cause| TurnError::Lock { path: path.clone(), cause })?;
-        let end = Instant::now() + patience();
-        loop {
-            match lock.try_lock() {
-                Ok(()) => return Ok(Self { _lock: lock }),
-                Err(TryLockError::WouldBlock) if Instant::now() < end => sleep(Duration::from_millis(50)),
-                Err(TryLockError::WouldBlock) => return Err(TurnError::Busy(path)),
-                Err(TryLockError::Error(cause)) => return Err(TurnError::Lock { path, cause }),
-            }
-        }
+    /// When it asks for something else than a number of seconds.
+    pub fn from_environment() -> Result<Self, TurnError> {
+        let asked = std::env::var_os(WAIT).map(|text| text.to_string_lossy().into_owned());
+        let seconds =
+            asked.map_or(Ok(USUAL_WAIT), |text| text.trim().parse().map_err(|_| TurnError::Patience(text)))?;
+        Ok(Self { start: Instant::now(), seconds })
+    }
+
+    /// How many seconds it has.
+    #[must_use]
+    pub fn seconds(&self) -> u64 {
+        self.seconds
+    }
+
+    /// Waits a moment, if any time is left.
+    pub fn wait(&self, moment: Duration) -> bool {
+        let left = Duration::from_secs(self.seconds).saturating_sub(self.start.elapsed());
+        sleep(moment.min(left));
+        !left.is_zero()
     }
 }
 
-fn patience() -> Duration {
-    let seconds = std::env::var(WAIT).ok().and_then(|text| text.parse().ok());
-    Duration::from_secs(seconds.unwrap_or(0))
+impl Turn {
+    /// Takes the machine's lock, or waits for it; what it waits for it says once.
+    ///
+    /// # Errors
+    /// When another process still holds it in the end, or the lock file cannot be opened.
+    pub fn take(patience: &Patience, say: impl FnMut(&str)) -> Result<Self, TurnError> {
+        Self::take_at(std::env::temp_dir().join("closedform-symbolica.lock"), patience, say)
+    }
+
+    fn take_at(path: PathBuf, patience: &Patience, mut say: impl FnMut(&str)) -> Result<Self, TurnError> {
+        let mut lock = open(&path).map_err(|cause| TurnError::Lock { path: path.clone(), cause })?;
+        let mut told = patience.seconds == 0;
+        loop {
+            match lock.try_lock() {
+                Ok(()) => break,
+                Err(TryLockError::Error(cause)) => return Err(TurnError::Lock { path, cause }),
+                Err(TryLockError::WouldBlock) => {
+                    let holder = holder(&mut lock);
+                    if !told {
+                        let (path, seconds) = (path.display(), patience.seconds);
+                        say(&format!(
+                            "waiting for another closedform command that does algebra ({holder}lock {path}), \
+                             {seconds} s at most"
+                        ));
+                        told = true;
+                    }
+                    if !patience.wait(Duration::from_millis(50)) {
+                        return Err(TurnError::Busy { holder, path, seconds: patience.seconds });
+                    }
+                }
+            }
+        }
+        // who cannot write it down only leaves it unsaid
+        _ = lock.set_len(0).and_then(|()| lock.rewind()).and_then(|()| write!(lock, "{}", std::process::id()));
+        Ok(Self { lock })
+    }
+
+    /// The lock file, for another process to hold it too.
+    ///
+    /// # Errors
+    /// When the system has no more handles.
+    pub fn shared(&self) -> io::Result<File> {
+        self.lock.try_clone()
+    }
+}
+
+/// The file is there for all users of the machine, but only one of them may write it.
+fn open(path: &Path) -> io::Result<File> {
+    let written = OpenOptions::new().create(true).truncate(false).read(true).write(true).open(path);
+    written.or_else(|cause| if cause.kind() == ErrorKind::PermissionDenied { File::open(path) } else { Err(cause) })
+}
+
+/// The process that wrote itself down, with a comma.
+fn holder(lock: &mut File) -> String {
+    let mut text = String::new();
+    let read = lock.rewind().and_then(|()| lock.take(16).read_to_string(&mut text));
+    let process: Option<u32> = read.ok().and_then(|_| text.trim().parse().ok());
+    process.map(|process| format!("process {process}, ")).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_turn_ends_when_its_last_holder_lets_go() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("lock");
+        let patience = |seconds| Patience { start: Instant::now(), seconds };
+        let mut said = Vec::new();
+        let mut take = |seconds| Turn::take_at(path.clone(), &patience(seconds), |text| said.push(text.to_owned()));
+        let turn = take(0).unwrap();
+        let shared = turn.shared().unwrap();
+        drop(turn);
+        let busy = take(1).unwrap_err().to_string();
+        drop(shared);
+        drop(take(0).unwrap());
+        let own = format!("process {}, lock {}", std::process::id(), path.display());
+        assert!(busy.contains(&own), "{busy}");
+        assert_eq!(said.len(), 1);
+        assert!(said[0].contains(&own) && said[0].contains("1 s at most"), "{said:?}");
+    }
 }

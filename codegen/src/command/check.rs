@@ -1,7 +1,7 @@
 //! `closedform check`: the generated kernels are what the references say, and with `--maxima` what Maxima says today.
 
 use super::generate::{kernels, worksheets};
-use super::{readme, verdicts};
+use super::{output, readme, verdicts};
 use crate::bound_proof::certified_bound_proof;
 use crate::catalogue::{Catalogue, Entry};
 use crate::folder::{self, Difference};
@@ -50,13 +50,15 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
         verdicts::check_list(&worksheets(root))?;
     }
     fresh(root)?;
-    println!(
-        "fresh: {} holds what the references generate, all kernels and their bounds proved",
-        kernels(root).display()
-    );
+    let folder = kernels(root);
+    output::print(&format!(
+        "fresh: {} holds what the references generate, all kernels and their bounds proved\n",
+        folder.display()
+    ))?;
     if args.maxima {
         live(root, &options(args))?;
-        println!("live: every kernel equals what Maxima derives, and every golden value is what Maxima computes");
+        let live = "live: every kernel equals what Maxima derives, and every golden value is what Maxima computes\n";
+        output::print(live)?;
     }
     Ok(())
 }

@@ -1,12 +1,14 @@
 //! `closedform derive`: Maxima runs the worksheets; references, golden values and verdicts are written anew.
 
 use super::generate::worksheets;
+use super::output;
 use super::verdicts::Page;
 use crate::worksheet::derive::{Options, derive};
 use crate::worksheet::family::family_names;
 use clap::Args as ClapArgs;
 use miette::bail;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// Run worksheets in Maxima and write their reference expressions and golden values, and the verdicts on the scans
 #[derive(Debug, ClapArgs)]
@@ -19,6 +21,10 @@ pub struct Args {
     /// Let worksheets start programs, touch files and run Lisp, with your rights
     #[arg(long)]
     allow_system: bool,
+    /// How many seconds of processor time each worksheet may use, 120 otherwise; CLOSEDFORM_MAXIMA_LIMIT is the same for
+    /// all commands
+    #[arg(long, value_name = "SECONDS")]
+    limit: Option<u64>,
 }
 
 /// Derives all families first, and writes their files then.
@@ -38,14 +44,23 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
     }
     let mut options = Options::default();
     options.maxima.allow_system |= args.allow_system;
+    if let Some(seconds) = args.limit {
+        options.maxima.limit = Duration::from_secs(seconds);
+    }
     let mut derived = Vec::new();
     for name in &names {
         derived.push((name, derive(&folder, name, &options)?));
     }
     let page = Page::of(&folder, &names, &options.maxima)?;
+    let mut said = String::new(); // when all is written
     for (name, family) in derived {
         family.write()?;
-        println!("{name}: {} reference expressions, {} golden values", family.definitions.len(), family.values.len());
+        let (expressions, values) = (family.definitions.len(), family.values.len());
+        said += &format!("{name}: {expressions} reference expressions, {values} golden values\n");
     }
-    page.map_or(Ok(()), |page| Ok(page.write()?))
+    if let Some(page) = page {
+        page.write()?;
+        said += &page.summary();
+    }
+    Ok(output::print(&said)?)
 }

@@ -77,10 +77,10 @@ fn project(args: &Args, root: &Path) -> miette::Result<()> {
     report(&generated.kernels, &rows, args.all)?;
     remark(&generated.kernels);
     hold(&rows)?;
-    eprintln!(
+    output::note(&format!(
         "{} kernels, all proved equal to their reference expressions, all bounds proved; {changed} files changed",
         generated.kernels.len()
-    );
+    ));
     Ok(())
 }
 
@@ -94,9 +94,10 @@ fn own_crate(args: &Args, input: &Path, out: &Path, root: &Path) -> miette::Resu
     hold(&rows)?;
     let runtime = args.runtime.clone().unwrap_or_default();
     for note in own_crate::write(&draft, out, &runtime, root)? {
-        eprintln!("{note}");
+        output::note(&note);
     }
-    eprintln!("{} kernels in {}: `cargo test` there runs their judges", generated.kernels.len(), out.display());
+    let count = generated.kernels.len();
+    output::note(&format!("{count} kernels in {}: `cargo test` there runs their judges", out.display()));
     Ok(())
 }
 
@@ -143,11 +144,12 @@ fn each_family(made: &[Made], rows: &[ledger::Row]) -> String {
 /// What the owner of a formula should know of its kernel.
 fn remark(made: &[Made]) {
     for (kernel, because) in made.iter().filter_map(|made| Some((&made.kernel, made.certified_because.as_ref()?))) {
-        eprintln!("`{kernel}` keeps its bound at run time, some hundred times slower: {because}");
+        output::note(&format!("`{kernel}` keeps its bound at run time, some hundred times slower: {because}"));
     }
     for kernel in made.iter().filter(|kernel| !kernel.added.is_empty()) {
         let added = kernel.added.join("`, `");
-        eprintln!("`{}` requires `{added}` too: its formula needs it, its contract does not say it", kernel.kernel);
+        let kernel = &kernel.kernel;
+        output::note(&format!("`{kernel}` requires `{added}` too: its formula needs it, its contract does not say it"));
     }
 }
 

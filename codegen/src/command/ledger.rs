@@ -28,7 +28,7 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
     } else {
         output::print(&text(&rows))?
     }
-    eprintln!("{} results; {changed} files changed", rows.len());
+    output::note(&format!("{} results; {changed} files changed", rows.len()));
     Ok(())
 }
 

@@ -1,4 +1,4 @@
-//! Standard output: text, tables and JSON; a reader that has seen enough is no error.
+//! Standard output: text, tables and JSON, where a reader that has seen enough is no error; and notes on standard error.
 
 use std::io::{self, ErrorKind, Write};
 
@@ -31,6 +31,11 @@ pub fn print(text: &str) -> Result<(), OutputError> {
 pub fn print_json(value: &impl Serialize) -> Result<(), OutputError> {
     let text = serde_json::to_string_pretty(value).map_err(io::Error::from)?;
     print(&format!("{text}\n"))
+}
+
+/// Writes a line to standard error, if anybody reads it: where that is closed or full, nothing is left to complain to.
+pub fn note(text: &str) {
+    _ = writeln!(io::stderr().lock(), "{text}");
 }
 
 /// What writing came to; that nobody reads on is no error.

@@ -1,5 +1,6 @@
 //! The page of verdicts on the scans: made by `derive`, compared by `check`.
 
+use super::output;
 use crate::folder::diff;
 use crate::verdict::{PAGE, Scans, VerdictError, has_scan, listed};
 use crate::worksheet::maxima_process::Maxima;
@@ -47,9 +48,13 @@ impl Page {
     /// When the file cannot be written.
     pub fn write(&self) -> Result<(), WriteError> {
         replaceable([&*self.path])?;
-        write_all(&[(&*self.path, &*self.text)])?;
-        println!("{PAGE}: the verdict on {} printed outputs", self.outputs);
-        Ok(())
+        write_all(&[(&*self.path, &*self.text)])
+    }
+
+    /// One line about it.
+    #[must_use]
+    pub fn summary(&self) -> String {
+        format!("{PAGE}: the verdict on {} printed outputs\n", self.outputs)
     }
 }
 
@@ -77,8 +82,8 @@ pub fn check_live(folder: &Path, maxima: &Maxima) -> miette::Result<()> {
     if page != text {
         return Err(stale(&scans, &page, &text).into());
     }
-    println!("live: the verdict on each of {} printed outputs is what Maxima finds", scans.stated().len());
-    Ok(())
+    let outputs = scans.stated().len();
+    Ok(output::print(&format!("live: the verdict on each of {outputs} printed outputs is what Maxima finds\n"))?)
 }
 
 fn present(scans: &Scans) -> Result<String, StalePage> {

@@ -150,18 +150,12 @@ fn measured(entry: &Entry, kept: &KeptInputs, args: &Args, bar: &ProgressBar) ->
 fn conclude(rows: &[Row], unmeasured: Vec<Unmeasured>) -> miette::Result<()> {
     let exceeded: Vec<&Row> = rows.iter().filter(|row| row.exceeds()).collect();
     for row in &exceeded {
-        eprint_lossy(&row.failure());
+        output::note(&row.failure());
     }
     if exceeded.is_empty() && unmeasured.is_empty() {
         return Ok(());
     }
     Err(VerifyError { exceeded: exceeded.len(), unmeasured }.into())
-}
-
-/// Writes to standard error, if anybody reads it.
-fn eprint_lossy(text: &str) {
-    use std::io::Write as _;
-    let _ = writeln!(std::io::stderr(), "{text}");
 }
 
 fn summary(exceeded: usize, unmeasured: usize) -> String {

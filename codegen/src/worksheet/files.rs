@@ -1,11 +1,10 @@
 //! Files written all or none: each beside its target first, then renamed.
 
 use std::io::Write;
-use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
-use tempfile::{Builder, NamedTempFile};
+use tempfile::NamedTempFile;
 use thiserror::Error;
 
 /// What the first line of every file that may be replaced says.
@@ -28,6 +27,7 @@ fn is_marked(text: &[u8]) -> bool {
     let line = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
     String::from_utf8_lossy(line).contains(MARK)
 }
+use crate::scratch;
 
 /// A file that could not be written; what was there before is untouched.
 #[derive(Debug, Error, Diagnostic)]
@@ -58,9 +58,7 @@ pub fn write_all(files: &[(&Path, &str)]) -> Result<(), WriteError> {
 }
 
 fn beside(path: &Path, text: &str) -> std::io::Result<NamedTempFile> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let readable = std::fs::Permissions::from_mode(0o666); // less what the user's umask takes
-    let mut file = Builder::new().prefix(".closedform").permissions(readable).tempfile_in(folder)?;
+    let mut file = scratch::beside(path)?;
     file.write_all(text.as_bytes())?;
     if let Ok(replaced) = std::fs::metadata(path) {
         file.as_file().set_permissions(replaced.permissions())?;

@@ -4,20 +4,28 @@ mod child;
 mod error;
 mod guard;
 mod transcript;
+mod watch;
 
 use std::ffi::OsString;
 use std::path::Path;
 use std::time::Duration;
 
-pub use error::{LostMaxima, ProcessError};
+pub use error::{LostMaxima, ProcessError, Used};
 pub use guard::Reaching;
 pub use transcript::Message;
 
 use super::source;
 use super::statements::statements;
+use crate::scratch::Folder;
 
-/// How long a worksheet may run.
+/// How much processor time a worksheet may use, where nobody says more.
 pub const TIME_LIMIT: Duration = Duration::from_secs(120);
+
+/// How many times as long it may take, with whatever else the machine does.
+const PATIENCE: u32 = 20;
+
+/// The environment variable that says how many seconds of processor time a worksheet may use.
+pub const LIMIT_VARIABLE: &str = "CLOSEDFORM_MAXIMA_LIMIT";
 
 /// The environment variable that names another Maxima.
 pub const PROGRAM_VARIABLE: &str = "CLOSEDFORM_MAXIMA";
@@ -27,7 +35,8 @@ pub const PROGRAM_VARIABLE: &str = "CLOSEDFORM_MAXIMA";
 pub struct Maxima {
     /// The program.
     pub program: OsString,
-    /// How long worksheet and driver may run together.
+    /// How much processor time worksheet and driver may use together; how long they may take, where the system does not tell
+    /// what they use.
     pub limit: Duration,
     /// Whether a worksheet may start programs, touch files and run Lisp.
     pub allow_system: bool,
@@ -37,10 +46,12 @@ pub struct Maxima {
 pub const ALLOW_SYSTEM_VARIABLE: &str = "CLOSEDFORM_ALLOW_SYSTEM";
 
 impl Default for Maxima {
-    /// `maxima`, or what `CLOSEDFORM_MAXIMA` names.
+    /// `maxima`, or what `CLOSEDFORM_MAXIMA` names; and what `CLOSEDFORM_MAXIMA_LIMIT` says, if that is a number.
     fn default() -> Self {
         let program = std::env::var_os(PROGRAM_VARIABLE).unwrap_or_else(|| "maxima".into());
-        Self { program, limit: TIME_LIMIT, allow_system: std::env::var_os(ALLOW_SYSTEM_VARIABLE).is_some() }
+        let limit = std::env::var(LIMIT_VARIABLE).ok().and_then(|seconds| seconds.trim().parse().ok());
+        let allow_system = std::env::var_os(ALLOW_SYSTEM_VARIABLE).is_some();
+        Self { program, limit: limit.map_or(TIME_LIMIT, Duration::from_secs), allow_system }
     }
 }
 
@@ -55,13 +66,18 @@ impl Maxima {
         }
         let marks = Marks::new();
         let places = places(worksheet, &text)?;
-        let folder = tempfile::tempdir().map_err(|cause| self.lost(LostMaxima::Files(cause)))?;
+        let folder = Folder::new().map_err(|cause| self.lost(LostMaxima::Files(cause)))?;
         let files = Files::new(folder.path());
         let written = files.write(&text, driver, &marks, self.allow_system);
         written.map_err(|cause| self.lost(LostMaxima::Files(cause)))?;
         let home = worksheet.parent().filter(|home| !home.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let end = child::run(self, &files.arguments(), home, &marks).map_err(|cause| self.lost(cause))?;
-        transcript::read(&end, &marks).map_err(|failure| failure.at(worksheet, &text, &places, self.limit))
+        let end = child::run(self, &files.arguments(), home, &marks, places.len()).map_err(|cause| self.lost(cause))?;
+        transcript::read(&end, &marks).map_err(|failure| failure.at(worksheet, &text, &places))
+    }
+
+    /// How long a run may take that uses hardly any processor time.
+    fn patience(&self) -> Duration {
+        self.limit.saturating_mul(PATIENCE)
     }
 
     fn lost(&self, cause: LostMaxima) -> ProcessError {

@@ -208,3 +208,19 @@ fn files_that_somebody_else_wrote_stay() {
     let error = derive(folder.path(), "family", &options(Duration::from_secs(60))).unwrap_err();
     has(&drawn(&error), &["family.ref", "rename it if it is yours"]);
 }
+
+#[test]
+fn waiting_costs_no_processor_time_but_ends_too() {
+    let sleep = "x: 1$ system(\"sleep 3\")$";
+    has(&failure(sleep, Duration::from_millis(1500)), &["family.mac defines no function `d`"]);
+    let report = failure("x: 1$\nsystem(\"sleep 1000\")$", Duration::from_millis(500));
+    has(&report, &["Maxima did not finish in 10 s, of which it used 0 s", "family.mac:2:1", "sleeps or waits"]);
+}
+
+#[test]
+fn children_of_maxima_count() {
+    let start = std::time::Instant::now();
+    let report = failure("x: 1$\nsystem(\"while true; do true; done\")$", Duration::from_secs(2));
+    has(&report, &["did not finish in 2 s of processor time", "family.mac:2:1", "--limit"]);
+    assert!(start.elapsed() < Duration::from_secs(60));
+}

@@ -6,11 +6,11 @@ use std::os::unix::process::CommandExt;
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
-use std::time::Instant;
 
 use rustix::process::{Pid, Signal, kill_process_group};
 
-use super::error::LostMaxima;
+use super::error::{LostMaxima, Used};
+use super::watch::{GLANCE, Watch};
 use super::{Marks, Maxima};
 
 /// More than any derivation prints.
@@ -23,7 +23,7 @@ pub(super) enum Ending {
     /// Maxima asked something, and nobody can answer.
     Asked,
     /// The time was up.
-    OutOfTime,
+    OutOfTime(Used),
     /// The output had no end.
     TooMuchOutput,
 }
@@ -35,14 +35,20 @@ pub(super) struct Run {
 }
 
 /// Runs Maxima in a process group of its own, which does not survive this call.
-pub(super) fn run(maxima: &Maxima, arguments: &[OsString], home: &Path, marks: &Marks) -> Result<Run, LostMaxima> {
+pub(super) fn run(
+    maxima: &Maxima,
+    arguments: &[OsString],
+    home: &Path,
+    marks: &Marks,
+    statements: usize,
+) -> Result<Run, LostMaxima> {
     let mut child = start(maxima, arguments, home)?;
-    let deadline = Instant::now() + maxima.limit;
+    let watch = Watch::new(maxima, &child, statements);
     let lines = child.stdout.take().map(lines_of);
-    let (lines, early) = lines.map_or((Vec::new(), None), |lines| collect(&lines, deadline, marks));
+    let (lines, early) = lines.map_or((Vec::new(), None), |lines| collect(&lines, &watch, marks));
     let ending = match early {
         Some(ending) => stop(&mut child, ending),
-        None => wait(&mut child, deadline),
+        None => wait(&mut child, &watch),
     };
     Ok(Run { lines, ending: ending.map_err(LostMaxima::Wait)? })
 }
@@ -74,12 +80,15 @@ fn lines_of(output: impl Read + Send + 'static) -> Receiver<String> {
 }
 
 /// The lines until the output ends or the run must be stopped. A question is followed by the line that ends it.
-fn collect(lines: &Receiver<String>, deadline: Instant, marks: &Marks) -> (Vec<String>, Option<Ending>) {
+fn collect(lines: &Receiver<String>, watch: &Watch, marks: &Marks) -> (Vec<String>, Option<Ending>) {
     let mut collected: Vec<String> = Vec::new();
     let mut bytes = 0;
     loop {
-        match lines.recv_timeout(deadline.saturating_duration_since(Instant::now())) {
+        match lines.recv_timeout(GLANCE) {
             Ok(line) => {
+                if line.contains(&marks.statement) {
+                    watch.statement();
+                }
                 bytes += line.len() + 1;
                 let asked = line.contains(&marks.question);
                 collected.push(line);
@@ -87,7 +96,11 @@ fn collect(lines: &Receiver<String>, deadline: Instant, marks: &Marks) -> (Vec<S
                     return (collected, Some(Ending::Asked));
                 }
             }
-            Err(RecvTimeoutError::Timeout) => return (collected, Some(Ending::OutOfTime)),
+            Err(RecvTimeoutError::Timeout) => {
+                if let Some(used) = watch.exhausted() {
+                    return (collected, Some(Ending::OutOfTime(used)));
+                }
+            }
             Err(RecvTimeoutError::Disconnected) if bytes >= OUTPUT_LIMIT => {
                 return (collected, Some(Ending::TooMuchOutput));
             }
@@ -97,14 +110,16 @@ fn collect(lines: &Receiver<String>, deadline: Instant, marks: &Marks) -> (Vec<S
 }
 
 /// Waits for a process whose output has ended.
-fn wait(child: &mut Child, deadline: Instant) -> std::io::Result<Ending> {
-    while Instant::now() < deadline {
+fn wait(child: &mut Child, watch: &Watch) -> std::io::Result<Ending> {
+    loop {
         if let Some(status) = child.try_wait()? {
             return Ok(Ending::Exited(status));
         }
+        if let Some(used) = watch.exhausted() {
+            return stop(child, Ending::OutOfTime(used));
+        }
         std::thread::sleep(std::time::Duration::from_millis(5));
     }
-    stop(child, Ending::OutOfTime)
 }
 
 /// Ends the whole group: `maxima` is a script that starts a Lisp.

@@ -66,11 +66,11 @@ pub enum ProcessError {
         place: Option<SourceSpan>,
     },
     /// The worksheet takes too long.
-    #[error("Maxima did not finish in {} s", limit.as_secs_f64())]
-    #[diagnostic(help("simplify the statement, or look for a loop that never ends"))]
+    #[error("Maxima did not finish {used}")]
+    #[diagnostic(help("{}", used.remedy()))]
     OutOfTime {
-        /// How long it could run.
-        limit: Duration,
+        /// What it has used.
+        used: Used,
         /// The worksheet.
         #[source_code]
         text: Text,
@@ -102,6 +102,43 @@ pub enum ProcessError {
     },
 }
 
+/// The time that was too much.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum Used {
+    /// All the processor time that it may use.
+    #[error("in {} s of processor time", limit.as_secs_f64())]
+    Processor {
+        /// That time.
+        limit: Duration,
+    },
+    /// Hardly any, but it goes on and on.
+    #[error("in {} s, of which it used {} s of processor time", elapsed.as_secs(), processor.as_secs())]
+    Waiting {
+        /// How long.
+        elapsed: Duration,
+        /// What it used.
+        processor: Duration,
+    },
+    /// The system does not tell what it used.
+    #[error("in {} s", limit.as_secs_f64())]
+    Elapsed {
+        /// How long it could run.
+        limit: Duration,
+    },
+}
+
+impl Used {
+    fn remedy(&self) -> &'static str {
+        match self {
+            Self::Waiting { .. } => "remove from the worksheet what sleeps or waits for something",
+            _ => {
+                "simplify the statement, or look for a loop that never ends; `closedform derive --limit` or the \
+                 environment variable CLOSEDFORM_MAXIMA_LIMIT sets how many seconds of processor time a worksheet may use"
+            }
+        }
+    }
+}
+
 /// Why there was no Maxima.
 #[derive(Debug, Error)]
 pub enum LostMaxima {
@@ -131,7 +168,7 @@ impl LostMaxima {
     fn remedy(&self) -> &'static str {
         match self {
             Self::Missing => {
-                "install it, e.g. apt-get install maxima, or name the program in the environment variable CLOSEDFORM_MAXIMA"
+                "install it, e.g. apt-get install maxima maxima-share, or name the program in the environment variable CLOSEDFORM_MAXIMA"
             }
             Self::Files(_) => "make room in the folder for temporary files (TMPDIR)",
             _ => "run `maxima --version` to see whether Maxima itself works",

@@ -2,12 +2,11 @@
 
 use std::ops::Range;
 use std::path::Path;
-use std::time::Duration;
 
 use super::super::source;
 use super::Marks;
 use super::child::{Ending, Run};
-use super::error::{LostMaxima, ProcessError};
+use super::error::{LostMaxima, ProcessError, Used};
 
 /// The driver's last message.
 pub(super) const END: &str = "end";
@@ -34,7 +33,7 @@ pub(super) struct Failure {
 enum Kind {
     Asked(String),
     Failed(String),
-    OutOfTime,
+    OutOfTime(Used),
     TooMuchOutput,
     Quit,
     Died(std::process::ExitStatus, String),
@@ -70,7 +69,7 @@ fn failure(run: &Run, marks: &Marks) -> Failure {
     let last = segments.len().checked_sub(1);
     let kind = match &run.ending {
         Ending::Asked => Kind::Asked(question(&run.lines, marks)),
-        Ending::OutOfTime => Kind::OutOfTime,
+        Ending::OutOfTime(used) => Kind::OutOfTime(*used),
         Ending::TooMuchOutput => Kind::TooMuchOutput,
         Ending::Exited(status) => return ended(&segments, *status, marks),
     };
@@ -133,13 +132,13 @@ fn question(lines: &[String], marks: &Marks) -> String {
 
 impl Failure {
     /// The failure with its place in the worksheet.
-    pub(super) fn at(self, path: &Path, worksheet: &str, places: &[Range<usize>], limit: Duration) -> ProcessError {
+    pub(super) fn at(self, path: &Path, worksheet: &str, places: &[Range<usize>]) -> ProcessError {
         let text = source::named(path, worksheet);
         let place = self.statement.and_then(|statement| places.get(statement)).map(|place| place.clone().into());
         match self.kind {
             Kind::Asked(question) => ProcessError::Asked { question, text, place },
             Kind::Failed(message) => ProcessError::Failed { message, text, place },
-            Kind::OutOfTime => ProcessError::OutOfTime { limit, text, place },
+            Kind::OutOfTime(used) => ProcessError::OutOfTime { used, text, place },
             Kind::TooMuchOutput => ProcessError::TooMuchOutput { text, place },
             Kind::Quit => ProcessError::Quit { text, place },
             Kind::Died(status, printed) => {

@@ -83,6 +83,5 @@ pub fn run(inputs: &Inputs, output: &Output) -> Outcome<()> {
         .peaks_of(plan.motion());
     output.table_of(&mut summary, plan.motion())?;
     output.picture(&mut summary, Picture::new(plan.motion()).title("Step in five segments"))?;
-    output.print(&summary);
-    Ok(())
+    output.print(&summary)
 }

@@ -14,6 +14,7 @@ mod step;
 mod summary;
 mod waypoints;
 
+use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -122,25 +123,34 @@ impl Kind {
 
 impl Cli {
     /// The arguments, read by the command under the name that was typed.
-    fn read() -> Self {
+    fn try_read() -> Result<Self, clap::Error> {
         let name = if std::env::var_os(CALLED_BY_CLOSEDFORM).is_some() { "closedform" } else { OWN_NAME };
         let mut command = Self::command().name(name).bin_name(name);
-        let matches = command.get_matches_mut();
-        Self::from_arg_matches(&matches).unwrap_or_else(|error| error.format(&mut command).exit())
+        let matches = command.try_get_matches_from_mut(std::env::args_os())?;
+        Self::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
     }
 }
 
 fn main() -> ExitCode {
-    let outcome = match Cli::read().command {
-        Command::Plan(kind) => kind.run(),
-        Command::Plot(kind) => kind.drawn().run(),
-        Command::Gallery { folder } => gallery::run(&folder),
+    let outcome = match Cli::try_read() {
+        Ok(cli) => run(cli.command),
+        Err(answer) if answer.use_stderr() => answer.exit(),
+        // help and version
+        Err(answer) => output::unless_closed(answer.print().and_then(|()| io::stdout().flush())),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("error: {}", failure.message());
+            output::note(&format!("error: {}", failure.message()));
             ExitCode::from(failure.code())
         }
+    }
+}
+
+fn run(command: Command) -> Outcome<()> {
+    match command {
+        Command::Plan(kind) => kind.run(),
+        Command::Plot(kind) => kind.drawn().run(),
+        Command::Gallery { folder } => gallery::run(&folder),
     }
 }

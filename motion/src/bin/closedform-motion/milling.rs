@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Failure, Outcome};
 use crate::input::merged;
-use crate::output::Output;
+use crate::output::{Output, note};
 use crate::shown::{MOST, shown};
 use crate::summary::Summary;
 
@@ -177,8 +177,7 @@ pub fn run(inputs: &Inputs, output: &Output) -> Outcome<()> {
             if has_arcs { "with constant acceleration; arcs as their chords" } else { "with constant acceleration" };
         output.picture(&mut summary, Picture::new(&motion).title(title).note(note).panels(&panels))?;
     }
-    output.print(&summary);
-    Ok(())
+    output.print(&summary)
 }
 
 fn time(inputs: &Inputs, milling: &Milling, sink: Sink) -> Outcome<Job> {
@@ -200,13 +199,13 @@ fn program(path: &Path, milling: &Milling, reading: &Reading, sink: Sink) -> Out
         Event::Notice(notice) => {
             told += 1;
             if told <= TOLD {
-                bar.suspend(|| eprintln!("{}: passed over: {notice}", path.display()));
+                bar.suspend(|| note(&format!("{}: passed over: {notice}", path.display())));
             }
         }
     });
     bar.finish_and_clear();
     if told > TOLD {
-        eprintln!("{}: {} more lines passed over", path.display(), told - TOLD);
+        note(&format!("{}: {} more lines passed over", path.display(), told - TOLD));
     }
     match wrong {
         Some(error) => Err(error.into()),

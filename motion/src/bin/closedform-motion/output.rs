@@ -1,5 +1,6 @@
 //! What becomes of a plan: summary, table and picture.
 
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -97,8 +98,10 @@ impl Output {
     }
 
     /// Prints the summary.
-    pub fn print(&self, summary: &Summary) {
-        print!("{}", if self.json { summary.json() } else { summary.text() });
+    pub fn print(&self, summary: &Summary) -> Outcome<()> {
+        let text = if self.json { summary.json() } else { summary.text() };
+        let mut output = io::stdout().lock();
+        unless_closed(output.write_all(text.as_bytes()).and_then(|()| output.flush()))
     }
 }
 
@@ -106,4 +109,19 @@ impl Output {
 fn is_same_file(one: &Path, other: &Path) -> bool {
     let [one, other] = [one, other].map(std::fs::canonicalize);
     one.is_ok_and(|one| other.is_ok_and(|other| one == other))
+}
+
+/// What writing to standard output came to; that nobody reads on is no failure.
+pub fn unless_closed(written: io::Result<()>) -> Outcome<()> {
+    match written {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::Other(format!("cannot write to standard output: {error}; make room, or send it elsewhere")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Writes a line to standard error, if anybody reads it: where that is closed or full, nothing is left to complain to.
+pub fn note(text: &str) {
+    _ = writeln!(io::stderr().lock(), "{text}");
 }

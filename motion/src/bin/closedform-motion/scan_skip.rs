@@ -123,8 +123,7 @@ pub fn run(inputs: &Inputs, output: &Output) -> Outcome<()> {
         with_unit(plan.period, "s")
     );
     output.picture(&mut summary, Picture::new(&shown).title(title(&plan)).note(note))?;
-    output.print(&summary);
-    Ok(())
+    output.print(&summary)
 }
 
 /// The lines that a picture shows: two of them show the turn-around, and on paper more are a carpet.

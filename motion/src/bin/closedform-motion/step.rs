@@ -101,6 +101,5 @@ pub fn run(inputs: &Inputs, output: &Output) -> Outcome<()> {
         .peaks_of(plan.motion());
     output.table_of(&mut summary, plan.motion())?;
     output.picture(&mut summary, Picture::new(plan.motion()).title("Step in four segments"))?;
-    output.print(&summary);
-    Ok(())
+    output.print(&summary)
 }

@@ -80,8 +80,7 @@ pub fn run(inputs: &Inputs, output: &Output) -> Outcome<()> {
     output.table_of(&mut summary, &motion)?;
     let title = format!("Waypoints, problem ({})", waypoints.problem.letter());
     output.picture(&mut summary, picture(Picture::new(&motion).title(title), &waypoints))?;
-    output.print(&summary);
-    Ok(())
+    output.print(&summary)
 }
 
 /// With the points marked, and no jerk where there is none.

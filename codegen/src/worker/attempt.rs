@@ -1,0 +1,191 @@
+//! One run of the worker: started with the lock in its hands, listened to, limited, and judged by how it ended.
+
+use super::words::{Word, read};
+use super::{SUBCOMMAND, Source, WorkerError};
+use crate::algebra::Turn;
+use crate::command::output::note;
+use crate::pipeline::Generated;
+use crate::processor::time_of;
+use crate::worksheet::maxima_process::ALLOW_SYSTEM_VARIABLE;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::io::{self, BufRead, BufReader, IsTerminal, Read};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
+
+/// The environment variable that says how many seconds of processor time one kernel may take.
+pub(super) const LIMIT: &str = "CLOSEDFORM_LIMIT";
+
+/// Where it says nothing: a hundred times what the slowest known kernel takes.
+const USUAL_LIMIT: u64 = 900;
+
+/// What Symbolica says where another process of the machine uses it, before it aborts.
+const REFUSAL: &str = "Cannot start new unlicensed Symbolica instance";
+
+/// How a run ended that came to an end of its own.
+pub(super) enum Ending {
+    /// With a result.
+    Made(Generated),
+    /// Symbolica did not let it begin.
+    Refused,
+}
+
+/// What is known of a run so far.
+#[derive(Default)]
+struct Heard {
+    bar: Option<ProgressBar>,
+    /// What was begun last.
+    making: Option<String>,
+    /// The processor time at which it was begun.
+    since: Duration,
+    made: Option<Generated>,
+    /// What Symbolica printed.
+    notice: Vec<String>,
+}
+
+/// How many seconds of processor time one kernel may take.
+pub(super) fn limit() -> Result<u64, WorkerError> {
+    let asked = std::env::var_os(LIMIT).map(|text| text.to_string_lossy().into_owned());
+    asked.map_or(Ok(USUAL_LIMIT), |text| text.trim().parse().map_err(|_| WorkerError::Limit(text)))
+}
+
+/// Runs the worker once; `quiet`: what Symbolica prints was shown before.
+pub(super) fn attempt(source: &Source, turn: &Turn, limit: u64, quiet: bool) -> Result<Ending, WorkerError> {
+    let mut child = start(source, turn)?;
+    let words = child.stdout.take().map(words_of);
+    let errors = child.stderr.take().map(|errors| thread::spawn(move || text_of(errors)));
+    let mut heard = Heard::default();
+    if let Some(words) = words
+        && !listen(&mut child, &words, &mut heard, limit, quiet)
+    {
+        _ = child.kill(); // an error means that it has ended
+        child.wait()?;
+        return Err(WorkerError::OutOfTime { what: heard.what(), limit });
+    }
+    let status = child.wait()?;
+    if let Some(bar) = &heard.bar {
+        bar.finish_and_clear();
+    }
+    let errors = errors.and_then(|errors| errors.join().ok()).unwrap_or_default();
+    judge(status, heard, &errors)
+}
+
+fn judge(status: ExitStatus, heard: Heard, errors: &str) -> Result<Ending, WorkerError> {
+    let abnormal = !matches!(status.code(), Some(0 | 1));
+    if abnormal && (errors.contains(REFUSAL) || heard.notice.iter().any(|line| line.contains(REFUSAL))) {
+        return Ok(Ending::Refused);
+    }
+    if !errors.is_empty() {
+        note(errors.trim_end());
+    }
+    match (status.code(), heard.made) {
+        (Some(0), Some(made)) => Ok(Ending::Made(made)),
+        (Some(1), _) => Err(WorkerError::Failed),
+        _ => Err(WorkerError::Crashed { what: heard.making.unwrap_or_default(), status }),
+    }
+}
+
+/// Its standard input is the lock file: so it holds the lock until it has ended, whatever becomes of this process.
+fn start(source: &Source, turn: &Turn) -> io::Result<Child> {
+    let mut command = Command::new(std::env::current_exe()?);
+    command.arg(SUBCOMMAND).arg(std::process::id().to_string());
+    match source {
+        Source::Folder(folder) => command.arg("--folder").arg(folder),
+        Source::Worksheet(worksheet) => command.arg("--worksheet").arg(worksheet),
+        Source::Rederived { folder, kernels, allow_system } => {
+            if *allow_system {
+                command.env(ALLOW_SYSTEM_VARIABLE, "1");
+            }
+            command.arg("--folder").arg(folder).arg("--kernels").arg(kernels)
+        }
+    };
+    if let Some(width) = colourful_width() {
+        command.env("FORCE_COLOR", "1").env("COLUMNS", width.to_string());
+    }
+    command.stdin(turn.shared()?).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn()
+}
+
+/// The width of the terminal on which errors appear, if they may be coloured there: the worker cannot know.
+fn colourful_width() -> Option<u16> {
+    let plain = std::env::var_os("NO_COLOR").is_some() || std::env::var_os("TERM").is_none_or(|term| term == "dumb");
+    let terminal = Some(io::stderr()).filter(|errors| errors.is_terminal() && !plain)?;
+    rustix::termios::tcgetwinsize(terminal).ok().map(|size| size.ws_col)
+}
+
+fn words_of(output: impl Read + Send + 'static) -> Receiver<String> {
+    let (sender, receiver) = channel();
+    thread::spawn(move || {
+        let lines = BufReader::new(output).split(b'\n').map_while(Result::ok);
+        lines.map(|line| String::from_utf8_lossy(&line).into_owned()).try_for_each(|line| sender.send(line))
+    });
+    receiver
+}
+
+fn text_of(mut errors: impl Read) -> String {
+    let mut text = Vec::new();
+    // what was read until then is all there is
+    _ = errors.read_to_end(&mut text);
+    String::from_utf8_lossy(&text).into_owned()
+}
+
+/// Listens until the worker ends; false if it takes too long.
+fn listen(child: &mut Child, words: &Receiver<String>, heard: &mut Heard, limit: u64, quiet: bool) -> bool {
+    loop {
+        match words.recv_timeout(Duration::from_millis(200)) {
+            Ok(line) => match read(&line) {
+                Some(word) => heard.word(word, child.id()),
+                None if line.trim().is_empty() => {}
+                None => heard.notice(line, quiet),
+            },
+            Err(RecvTimeoutError::Timeout) => {
+                let used = time_of(child.id()).unwrap_or_default().saturating_sub(heard.since);
+                if used > Duration::from_secs(limit) {
+                    return false;
+                }
+            }
+            Err(RecvTimeoutError::Disconnected) => return true,
+        }
+    }
+}
+
+impl Heard {
+    fn word(&mut self, word: Word, process: u32) {
+        match word {
+            Word::Kernels(kernels) => self.bar = Some(progress_bar(kernels)),
+            Word::Making(what) => {
+                if let Some(bar) = &self.bar {
+                    bar.set_message(what.clone());
+                    bar.inc(1);
+                }
+                self.making = Some(what);
+                self.since = time_of(process).unwrap_or_default();
+            }
+            Word::Made(made) => self.made = Some(made),
+        }
+    }
+
+    fn notice(&mut self, line: String, quiet: bool) {
+        if !quiet && !line.contains(REFUSAL) {
+            match &self.bar {
+                Some(bar) => bar.suspend(|| note(line.trim_end())),
+                None => note(line.trim_end()),
+            }
+        }
+        self.notice.push(line);
+    }
+
+    fn what(&self) -> String {
+        self.making.clone().unwrap_or_else(|| "nothing yet".to_owned())
+    }
+}
+
+/// A bar on standard error; indicatif hides it where that is no terminal.
+fn progress_bar(kernels: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");
+    let bar = ProgressBar::new(kernels as u64);
+    match style {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}
