@@ -72,6 +72,7 @@ pub struct ByAccelerations {
     rules("compensated", "conjugate", "double-double", "factored", "merge-roots", "sign-branch"),
     precision = "double-double",
     bound(t0 = 0.51, ko = 0.51, t2 = 0.51, v0 = 0.51, v1 = 0.51),
+    certificate = "1-f437877763ccaf12",
     results(
         t0(worksheet = "s5ST_t0", unit = "s"),
         ko(worksheet = "s5ST_Ko", unit = "1"),
@@ -199,6 +200,7 @@ pub fn by_accelerations(
     rules("compensated", "conjugate", "double-double", "factored", "merge-roots"),
     precision = "double-double",
     bound = 0.51,
+    certificate = "1-d9f677aad98e86fd",
     result(worksheet = "s5_Ki_Ko1", unit = "1"),
 )]
 pub fn ki_without_middle(
@@ -288,6 +290,7 @@ pub struct ByTimes {
     source = "3 eqSet, solved for the accelerations (not shown)",
     rules("compensated", "factored", "gathered"),
     bound(a0 = 3.01, a1 = 3.01, v0 = 2.01, v1 = 3.01, ko = 3.01),
+    certificate = "1-6612a85eacd6e490",
     results(
         a0(worksheet = "s5SX_a0", unit = "m/s^2"),
         a1(worksheet = "s5SX_a1", unit = "m/s^2"),

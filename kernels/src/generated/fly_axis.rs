@@ -55,6 +55,7 @@ pub struct TurnOut {
     source = "4.6 rscn_ax1_Tol_sol, rscn_d1Out",
     rules("compensated", "factored", "gathered"),
     bound(t_out = 3.01, d1_out = 3.01),
+    certificate = "1-7cee2e4a78c311a2",
     results(
         t_out(worksheet = "rscn_tOut", unit = "s"),
         d1_out(worksheet = "rscn_d1Out", unit = "m"),
@@ -117,6 +118,7 @@ pub fn turn_out(
     source = "4.6 rscn_ax1_Tol_sol",
     rules("factored", "gathered", "known-sum"),
     bound = 2.01,
+    certificate = "1-5f822c929042763f",
     result(worksheet = "rscn_d1In", unit = "m"),
 )]
 pub fn d1_in(
@@ -165,6 +167,7 @@ pub fn d1_in(
     source = "4.6 rscn_ax1_Tol_sol, ax1IAcc",
     rules(),
     bound = 0.5,
+    certificate = "1-43efe274b06c95c7",
     result(worksheet = "ax1IAcc", unit = "m/s^2"),
 )]
 pub fn a1_in(
@@ -214,6 +217,7 @@ pub fn a1_in(
     source = "4.6 %o202",
     rules("compensated", "differences-first", "factored"),
     bound = 3.01,
+    certificate = "1-b222862c413f5903",
     result(worksheet = "rscn_tIn_of_tOut", unit = "s"),
 )]
 pub fn t_in_of_t_out(
@@ -272,6 +276,7 @@ pub fn t_in_of_t_out(
     source = "4.6 rscn_VAdd_ax1",
     rules("compensated", "factored"),
     bound = 4.01,
+    certificate = "1-81f9c4f3763cf6bb",
     result(worksheet = "rscn_VAdd_ax1", unit = "m/s"),
 )]
 pub fn v1_diff(
@@ -326,6 +331,7 @@ pub fn v1_diff(
     source = "4.6 rscn_tAdd",
     rules(),
     bound = 3.0,
+    certificate = "1-c7be05c983349f8f",
     result(worksheet = "rscn_tAdd", unit = "s"),
 )]
 pub fn t_add(
@@ -377,6 +383,7 @@ pub fn t_add(
     source = "4.6 %o200",
     rules("factored", "gathered"),
     bound = 3.01,
+    certificate = "1-7aeac126a6b0ccde",
     result(worksheet = "tOvrHd", unit = "s"),
 )]
 pub fn overhead(
@@ -446,6 +453,7 @@ pub struct OverheadOfTOut {
     source = "4.6 %o202, %o203",
     rules("compensated", "differences-first", "factored", "gathered"),
     bound(t_ovr_hd = 3.01, dt_ovr_hd_dv1_diff = 3.01),
+    certificate = "1-95dc35e0ec2d5f3f",
     results(
         t_ovr_hd(worksheet = "tOvrHd_tOut", unit = "s"),
         dt_ovr_hd_dv1_diff(worksheet = "dtOvrHd_tOut_dv1Diff", unit = "s^2/m"),

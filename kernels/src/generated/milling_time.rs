@@ -54,6 +54,7 @@ pub struct Direction {
     source = "definitions: Vektor, normierter Vektor",
     rules("through-result"),
     bound(length = 2.5, n_x = 3.5, n_y = 3.5, n_z = 3.5),
+    certificate = "1-6d808b1f34896c3c",
     results(
         length(worksheet = "mt_length", unit = "mm"),
         n_x(worksheet = "mt_nx", unit = "1"),
@@ -113,6 +114,7 @@ pub fn direction(
     source = "the quadratic in X and its roots X1/2",
     rules("conjugate", "gathered", "sign-branch"),
     bound = 4.51,
+    certificate = "1-cfa0eabbc8c0c5c4",
     result(worksheet = "mt_step_speed", unit = "mm/s"),
 )]
 pub fn step_speed(
@@ -171,6 +173,7 @@ pub fn step_speed(
     source = "the least of the speeds that the axes allow",
     rules(),
     bound = 0.5,
+    certificate = "1-b1ddb0944a9ffe65",
     result(worksheet = "mt_limit", unit = "s^2/mm"),
 )]
 pub fn limit_of_axes(
@@ -228,6 +231,7 @@ pub fn limit_of_axes(
     source = "the quadratic in X for the least speed of the axes; the feed limit is not in the seed",
     rules("factored"),
     bound = 5.0,
+    certificate = "1-3306d534afa41819",
     result(worksheet = "mt_cut_speed", unit = "mm/s"),
 )]
 pub fn cut_speed(
@@ -274,6 +278,7 @@ pub fn cut_speed(
     source = "Time = Time + (1/X)",
     rules(),
     bound = 0.5,
+    certificate = "1-3bfd72cabc70b54b",
     result(worksheet = "mt_step_time", unit = "s"),
 )]
 pub fn step_time(
@@ -334,6 +339,7 @@ pub struct ConstantAcceleration {
     source = "not in the seed: the limit of its steps",
     rules("conjugate", "gathered"),
     bound(speed = 2.51, time = 4.51),
+    certificate = "1-472da8d42ad36b5a",
     results(
         speed(worksheet = "mt_constant_speed", unit = "mm/s"),
         time(worksheet = "mt_constant_time", unit = "s"),
@@ -392,6 +398,7 @@ pub fn constant_acceleration(
     source = "not in the seed: the limit of its sum",
     rules("merge-roots"),
     bound = 2.0,
+    certificate = "1-d522ca47875543af",
     result(worksheet = "mt_cut_time", unit = "s"),
 )]
 pub fn cut_time(

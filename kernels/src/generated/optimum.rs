@@ -43,6 +43,7 @@ use closedform::kernel;
     source = "second numbering 2, %o259",
     rules("compensated", "factored", "falling-newton", "known-sum"),
     bound = 0.51,
+    certificate = "1-a1d015c115e5dc45",
     result(worksheet = "t_i", unit = "s"),
 )]
 pub fn t_i(
@@ -107,6 +108,7 @@ pub fn t_i(
     source = "second numbering 2, ax1_tIO_eq",
     rules("factored", "gathered"),
     bound = 3.01,
+    certificate = "1-abce6d77f621acd5",
     result(worksheet = "t_o", unit = "s"),
 )]
 pub fn t_o(
@@ -166,6 +168,7 @@ pub fn t_o(
     source = "second numbering 2, %o259; 4.6",
     rules("compensated", "factored", "falling-newton", "known-sum"),
     bound = 0.51,
+    certificate = "1-5598b1a5d8ce454f",
     result(worksheet = "tIn_tE0", unit = "s"),
 )]
 pub fn t_in(
@@ -233,6 +236,7 @@ pub fn t_in(
     source = "second numbering 2, %o262",
     rules("falling-newton"),
     bound = 0.51,
+    certificate = "1-99a35f6a1157e2f0",
     result(worksheet = "quartic_abcd", unit = "1"),
 )]
 pub fn quartic(

@@ -56,6 +56,7 @@ pub struct StepLimited {
     rules("compensated", "conjugate", "double-double", "factored", "known-sum"),
     precision = "double-double",
     bound(t_ovr_hd = 0.51, dt_ovr_hd_dt_in = 0.51),
+    certificate = "1-c43c4b044ae28a6a",
     results(
         t_ovr_hd(worksheet = "rscn_tOv", unit = "s"),
         dt_ovr_hd_dt_in(worksheet = "tOv_diff_tIn", unit = "1"),
@@ -135,6 +136,7 @@ pub fn step_limited(
     rules("compensated", "conjugate", "double-double", "factored"),
     precision = "double-double",
     bound = 0.51,
+    certificate = "1-fba630b97b179ee3",
     result(worksheet = "tEdge_ax2ax1", unit = "s"),
 )]
 pub fn t_edge(
@@ -206,6 +208,7 @@ pub fn t_edge(
     rules("compensated", "conjugate", "double-double", "factored"),
     precision = "double-double",
     bound = 0.51,
+    certificate = "1-c3654a87043d46a4",
     result(worksheet = "rscn_v1Diff_tE0", unit = "m/s"),
 )]
 pub fn v1_diff(
@@ -277,6 +280,7 @@ pub struct ScanLimited {
     source = "second numbering 1.2.1 %o235, %o236",
     rules("compensated", "factored", "gathered"),
     bound(t_ovr_hd = 3.01, dt_ovr_hd_dt_in = 3.01),
+    certificate = "1-dccb1314abe64a52",
     results(
         t_ovr_hd(worksheet = "tOvrHd_tE0", unit = "s"),
         dt_ovr_hd_dt_in(worksheet = "dtOvrHd_tE0_dtIn", unit = "1"),
@@ -358,6 +362,7 @@ pub struct D1OutGradient {
     source = "second numbering 1.3 %o240",
     rules("compensated", "factored", "gathered"),
     bound(dd1_out_dv1_diff = 3.01, dd1_out_dt_in = 3.01),
+    certificate = "1-f139e3ee8185e9d5",
     results(
         dd1_out_dv1_diff(worksheet = "dd1Out_dv1Diff", unit = "s"),
         dd1_out_dt_in(worksheet = "dd1Out_dtIn", unit = "m/s"),

@@ -40,6 +40,7 @@ use closedform::kernel;
     source = "1.1 %o4",
     rules("compensated", "factored"),
     bound = 2.01,
+    certificate = "1-aa48d06f8e68b5b8",
     result(worksheet = "f_a1", unit = "m/s^2"),
 )]
 pub fn acceleration_at(
@@ -91,6 +92,7 @@ pub fn acceleration_at(
     source = "1.1 %o5",
     rules("compensated", "factored"),
     bound = 2.01,
+    certificate = "1-c893795289c95ddb",
     result(worksheet = "f_v1", unit = "m/s"),
 )]
 pub fn velocity_at(
@@ -142,6 +144,7 @@ pub fn velocity_at(
     source = "1.1 %o6",
     rules("compensated", "factored"),
     bound = 3.01,
+    certificate = "1-a5524ecc44740b4a",
     result(worksheet = "f_x1", unit = "m"),
 )]
 pub fn position_at(
@@ -204,6 +207,7 @@ pub struct BoundaryAccelerations {
     source = "1.2 %o16, %o17",
     rules("compensated", "differences-first", "factored"),
     bound(a0 = 3.01, a1 = 3.01),
+    certificate = "1-34eacd3f98dee268",
     results(
         a0(worksheet = "p_a0_1", unit = "m/s^2"),
         a1(worksheet = "p_a1_1", unit = "m/s^2"),
@@ -278,6 +282,7 @@ pub struct ArrivalFirst {
     rules("compensated", "conjugate", "differences-first", "double-double", "factored", "sign-branch"),
     precision = "double-double",
     bound(t1 = 0.51, a1 = 0.51),
+    certificate = "1-e38a43f3cc12a6cb",
     results(
         t1(worksheet = "s_t1_2", unit = "s"),
         a1(worksheet = "s_a1_2", unit = "m/s^2"),
@@ -363,6 +368,7 @@ pub struct ArrivalLast {
     rules("compensated", "conjugate", "differences-first", "double-double", "factored", "sign-branch"),
     precision = "double-double",
     bound(t1 = 0.51, a1 = 0.51),
+    certificate = "1-4b65990ab1cb0ecb",
     results(
         t1(worksheet = "s_t1_1", unit = "s"),
         a1(worksheet = "s_a1_1", unit = "m/s^2"),
@@ -443,6 +449,7 @@ pub struct TurnOut {
     source = "1.2.1 %o23, %o24",
     rules(),
     bound(t_out = 0.5, d1_out = 3.0),
+    certificate = "1-1b5f9bbca41b4801",
     results(
         t_out(worksheet = "tOutFn", unit = "s"),
         d1_out(worksheet = "d1OutFn", unit = "m"),
@@ -508,6 +515,7 @@ pub struct MinJerkSegment {
     source = "1.3 eqSngMinJrk (not shown)",
     rules("compensated", "differences-first", "factored", "gathered"),
     bound(t1 = 3.0, delta_a = 3.01),
+    certificate = "1-6ea56b753af375a5",
     results(
         t1(worksheet = "SngMinJrk_t1", unit = "s"),
         delta_a(worksheet = "SngMinJrk_Delta", unit = "m/s^2"),
@@ -578,6 +586,7 @@ pub struct ConstantAcceleration {
     source = "1.4 eqSngAcc (not shown)",
     rules("factored"),
     bound(a = 0.5, d_x = 2.0),
+    certificate = "1-dfeec48c61769e65",
     results(
         a(worksheet = "SngAcc_af", unit = "m/s^2"),
         d_x(worksheet = "SngAcc_dX", unit = "m"),

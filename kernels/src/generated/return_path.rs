@@ -68,6 +68,7 @@ pub struct AsymmetricReturn {
     source = "third numbering 3, sln_Ax1Asym[3]",
     rules("compensated", "factored", "gathered"),
     bound(a2 = 3.01, t_edge1 = 3.01, d1_edge1 = 3.01, d1_edge2 = 3.01, v1_edge2 = 3.01),
+    certificate = "1-6ff89fef7ffb5b3c",
     results(
         a2(worksheet = "Ax1Asym3_a2", unit = "m/s^2"),
         t_edge1(worksheet = "Ax1Asym3_tEdge1", unit = "s"),

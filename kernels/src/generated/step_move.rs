@@ -48,6 +48,7 @@ pub struct RampFromRest {
     source = "4.1.1 t0F, a0F",
     rules(),
     bound(t0 = 2.0, a00 = 3.0),
+    certificate = "1-3f18cadff26aefde",
     results(
         t0(worksheet = "t0F", unit = "s"),
         a00(worksheet = "a0F", unit = "m/s^2"),
@@ -128,6 +129,7 @@ pub struct QuarterMove {
     rules("compensated", "conjugate", "double-double", "factored", "merge-roots"),
     precision = "double-double",
     bound(v3 = 0.51, v0 = 0.51, a0 = 0.51, x1 = 0.51, t4 = 0.51),
+    certificate = "1-677d24a5487bddb6",
     results(
         v3(worksheet = "a4V1_v3", unit = "m/s"),
         v0(worksheet = "a4V1_v0", unit = "m/s"),
@@ -231,6 +233,7 @@ pub struct ContinuousMove {
     rules("compensated", "conjugate", "double-double", "factored", "sign-branch"),
     precision = "double-double",
     bound(kv0 = 0.51, kv3 = 0.51, kt4 = 0.51, ka0 = 0.51, ka3 = 0.51, kx1 = 0.51),
+    certificate = "1-3826df94fcebb04f",
     results(
         kv0(worksheet = "a4VO2_kv0", unit = "1"),
         kv3(worksheet = "a4VO2_kv3", unit = "1"),
@@ -378,6 +381,7 @@ pub struct SymmetricFrame {
     source = "4.4 a4VO22",
     rules("compensated", "factored", "gathered"),
     bound(kt4 = 2.0, kx1 = 2.01, kv0 = 0.51, kv3 = 3.01, ka0 = 2.01, ka3 = 3.01, ko = 3.01),
+    certificate = "1-70ca5e046b9dca41",
     results(
         kt4(worksheet = "a4VO22_kt4", unit = "1"),
         kx1(worksheet = "a4VO22_kx1", unit = "1"),
@@ -489,6 +493,7 @@ pub struct SymmetricFrameStep {
     source = "4.4.1 ax2_A4VT",
     rules("compensated", "factored", "gathered"),
     bound(t_ie_skip = 3.0, d2_in = 0.5, d2_out = 2.01, ax2_entry = 3.01, v2_in = 2.01, v2_out = 3.01, a2_max = 3.01, a3 = 3.01),
+    certificate = "1-9e234b244bdb06be",
     results(
         t_ie_skip(worksheet = "A4VT_tIESkip", unit = "s"),
         d2_in(worksheet = "A4VT_d2In", unit = "m"),
@@ -573,6 +578,7 @@ pub fn symmetric_frame_step(
     source = "4.4.1 ax2_tIn",
     rules("factored"),
     bound = 2.0,
+    certificate = "1-7c5f5c1339f84db1",
     result(worksheet = "Ki_of_tIESkip", unit = "1"),
 )]
 pub fn ki_of_t_ie_skip(
@@ -619,6 +625,7 @@ pub fn ki_of_t_ie_skip(
     source = "4.4.1 Ki_c",
     rules("factored"),
     bound = 2.0,
+    certificate = "1-d8ae15d28081ce65",
     result(worksheet = "Ki_c", unit = "1"),
 )]
 pub fn ki_of_v1_diff(

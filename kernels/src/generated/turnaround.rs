@@ -60,6 +60,7 @@ pub struct OuterRamp {
     rules("compensated", "conjugate", "double-double", "factored", "sign-branch"),
     precision = "double-double",
     bound(t0 = 0.51, v0 = 0.51, k = 0.51),
+    certificate = "1-27f2c6e4faf9da71",
     results(
         t0(worksheet = "s5S2_t0", unit = "s"),
         v0(worksheet = "s5S2_v0", unit = "m/s"),
@@ -159,6 +160,7 @@ pub struct InnerRamp {
     rules("compensated", "conjugate", "double-double", "factored", "same-sign-radicand"),
     precision = "double-double",
     bound(t3 = 0.51, v0 = 0.51, k = 0.51),
+    certificate = "1-b0659b5fa0dcb21c",
     results(
         t3(worksheet = "s5S3_t3", unit = "s"),
         v0(worksheet = "s5S3_v0", unit = "m/s"),
@@ -231,6 +233,7 @@ pub fn inner_ramp(
     source = "2.3.1 %o50",
     rules("compensated", "conjugate", "factored", "gathered"),
     bound = 4.51,
+    certificate = "1-84dd318b7da7e705",
     result(worksheet = "tInFn", unit = "s"),
 )]
 pub fn t_in(
@@ -301,6 +304,7 @@ pub struct RampIn {
     source = "2.3.1 d2InEq, v2InEq",
     rules(),
     bound(d2_in = 3.0, v2_in = 0.5),
+    certificate = "1-b96a4596ef1f252a",
     results(
         d2_in(worksheet = "d2In", unit = "m"),
         v2_in(worksheet = "v2In", unit = "m/s"),
@@ -363,6 +367,7 @@ pub struct RampOut {
     source = "2.3.1 d2OutEq, v2OutEq",
     rules("factored", "gathered"),
     bound(d2_out = 2.01, v2_out = 0.51),
+    certificate = "1-2d6624d99ecb1b77",
     results(
         d2_out(worksheet = "d2Out", unit = "m"),
         v2_out(worksheet = "v2Out", unit = "m/s"),
@@ -418,6 +423,7 @@ pub fn ramp_out(
     source = "2.3.1 rscn_tIn_ax2",
     rules("merge-roots"),
     bound = 2.0,
+    certificate = "1-c22a7d313cdd1e40",
     result(worksheet = "tIn_of_d2In", unit = "s"),
 )]
 pub fn t_in_of_d2_in(
@@ -460,6 +466,7 @@ pub fn t_in_of_d2_in(
     source = "2.3.1 %o92",
     rules(),
     bound = 3.0,
+    certificate = "1-90663b6ef21c07f9",
     result(worksheet = "a2Max_of_d2In", unit = "m/s^2"),
 )]
 pub fn a2_max_of_d2_in(
@@ -508,6 +515,7 @@ pub fn a2_max_of_d2_in(
     source = "2.3.1 Pre4CSegPlus (second parametrisation)",
     rules("compensated", "conjugate", "factored", "gathered", "sign-branch"),
     bound = 4.51,
+    certificate = "1-7cb030bfe30ff95e",
     result(worksheet = "tIn_of_tau", unit = "s"),
 )]
 pub fn t_in_of_tau(
@@ -572,6 +580,7 @@ pub fn t_in_of_tau(
     source = "2.3.1 tauEq",
     rules("compensated", "conjugate", "factored", "gathered", "sign-branch"),
     bound = 4.51,
+    certificate = "1-55820e0011f84950",
     result(worksheet = "tau_ax2_gen", unit = "s"),
 )]
 pub fn tau_of_t_in(
@@ -631,6 +640,7 @@ pub fn tau_of_t_in(
     source = "2.3.1 rscn_tau_ax2",
     rules("compensated", "conjugate", "factored", "gathered"),
     bound = 4.51,
+    certificate = "1-28c634d93f46efbc",
     result(worksheet = "rscn_tau_ax2", unit = "s"),
 )]
 pub fn tau_without_skip(
@@ -686,6 +696,7 @@ pub fn tau_without_skip(
     source = "2.3.1 deltaEq, %o101",
     rules("compensated", "factored"),
     bound = 4.01,
+    certificate = "1-183e85690c9f92aa",
     result(worksheet = "rscn_delta_ax2", unit = "s^2"),
 )]
 pub fn delta_of_tau(
@@ -739,6 +750,7 @@ pub fn delta_of_tau(
     source = "2.3.1 %o102",
     rules("factored", "gathered"),
     bound = 2.01,
+    certificate = "1-082ebb65ea94669e",
     result(worksheet = "o102_delta", unit = "s^2"),
 )]
 pub fn delta_of_t_edge(
@@ -797,6 +809,7 @@ pub fn delta_of_t_edge(
     source = "2.3.1 rscn_tEdge_ax2",
     rules("compensated", "conjugate", "factored", "gathered"),
     bound = 4.51,
+    certificate = "1-20ab0ab22a70eb4c",
     result(worksheet = "rscn_tEdge_ax2", unit = "s"),
 )]
 pub fn t_edge_of_t_in(
@@ -853,6 +866,7 @@ pub fn t_edge_of_t_in(
     source = "2.3.1 %o94",
     rules("factored", "gathered"),
     bound = 3.01,
+    certificate = "1-72626cb07fb2243e",
     result(worksheet = "a2Max_ax2", unit = "m/s^2"),
 )]
 pub fn a2_max_of_tau(
@@ -901,6 +915,7 @@ pub fn a2_max_of_tau(
     source = "2.3.1 %o95",
     rules("factored", "gathered"),
     bound = 3.01,
+    certificate = "1-347ca3e45955fd54",
     result(worksheet = "da2Max_dtau", unit = "m/s^3"),
 )]
 pub fn da2_max_dtau(
@@ -953,6 +968,7 @@ pub fn da2_max_dtau(
     source = "2.3.1 %o96",
     rules("factored", "gathered"),
     bound = 3.01,
+    certificate = "1-a01a363c94432f91",
     result(worksheet = "dtau_da2Max", unit = "s^3/m"),
 )]
 pub fn dtau_da2_max(
@@ -1016,6 +1032,7 @@ pub fn dtau_da2_max(
     rules("compensated", "double-double", "factored"),
     precision = "double-double",
     bound = 0.51,
+    certificate = "1-4bed80ea809a9a41",
     result(worksheet = "K_of_tIn", unit = "1"),
 )]
 pub fn k_of_t_in(

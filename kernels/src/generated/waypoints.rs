@@ -50,6 +50,7 @@ pub struct Segment2D {
     source = "equations 17 to 19",
     rules("differences-first", "through-result"),
     bound(length = 3.0, time = 4.0),
+    certificate = "1-a134e62388569516",
     results(
         length(worksheet = "wp_length_2d", unit = "m"),
         time(worksheet = "wp_time_2d", unit = "s"),
@@ -119,6 +120,7 @@ pub struct Segment3D {
     source = "equations 17 to 19, with a third coordinate",
     rules("differences-first", "through-result"),
     bound(length = 3.5, time = 4.5),
+    certificate = "1-0822eb353859bf1b",
     results(
         length(worksheet = "wp_length_3d", unit = "m"),
         time(worksheet = "wp_time_3d", unit = "s"),
@@ -211,6 +213,7 @@ pub struct Linear {
     source = "problem (a), equations 14 to 16, 28 to 30",
     rules("factored"),
     bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 2.0, c11 = 2.0, c21 = 2.0),
+    certificate = "1-b2dd3d1cd0c1e548",
     results(
         c00(worksheet = "wp_a_c00", unit = "m"),
         c10(worksheet = "wp_a_c10", unit = "m"),
@@ -317,6 +320,7 @@ pub struct QuadraticLinearQuadratic {
     source = "problem (b), equations 81 to 90",
     rules("compensated", "factored"),
     bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c11 = 2.0, c21 = 2.0, c01 = 3.01, c02 = 4.01, c22 = 4.01),
+    certificate = "1-391870aad57c6d00",
     results(
         c00(worksheet = "wp_b_c00", unit = "m"),
         c10(worksheet = "wp_b_c10", unit = "m"),
@@ -443,6 +447,7 @@ pub struct QuadraticCubicQuadraticAtRest {
     source = "problem (c), stated there",
     rules("compensated", "factored", "gathered"),
     bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c02 = 3.0, c11 = 2.0, c21 = 2.0, c22 = 3.0, c12 = 3.01, c13 = 3.01),
+    certificate = "1-1e0c53d0e6e83a76",
     results(
         c00(worksheet = "wp_c_c00", unit = "m"),
         c10(worksheet = "wp_c_c10", unit = "m"),
@@ -574,6 +579,7 @@ pub struct QuadraticCubicQuadratic {
     source = "problem (d), stated there",
     rules("compensated", "factored", "gathered"),
     bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c02 = 3.01, c12 = 3.01, c22 = 3.01, c01 = 3.01, c11 = 3.01, c21 = 3.01, c13 = 3.01),
+    certificate = "1-44ffe3c3f4d4532c",
     results(
         c00(worksheet = "wp_d_c00", unit = "m"),
         c10(worksheet = "wp_d_c10", unit = "m"),
@@ -740,6 +746,7 @@ pub struct CubicsAtRest {
     source = "problem (e), stated there",
     rules("compensated", "factored", "gathered"),
     bound(c00 = 0.0, c10 = 0.0, c20 = 0.0, c01 = 0.0, c11 = 3.01, c21 = 3.01, c02 = 3.01, c12 = 3.01, c22 = 3.01, c03 = 3.01, c13 = 3.01, c23 = 3.01),
+    certificate = "1-3004df3041c197e5",
     results(
         c00(worksheet = "wp_e_c00", unit = "m"),
         c10(worksheet = "wp_e_c10", unit = "m"),
@@ -931,6 +938,7 @@ pub struct QuarticCubicQuarticAtRest {
     rules("compensated", "double-double", "factored", "one-reciprocal"),
     precision = "double-double",
     bound(c00 = 0.5, c10 = 0.5, c20 = 0.5, c01 = 0.5, c02 = 0.5, c11 = 0.51, c21 = 0.51, c12 = 0.51, c22 = 0.51, c03 = 0.51, c13 = 0.51, c23 = 0.51, c04 = 0.51, c24 = 0.51),
+    certificate = "1-77635caa40cc892e",
     results(
         c00(worksheet = "wp_f_c00", unit = "m"),
         c10(worksheet = "wp_f_c10", unit = "m"),
