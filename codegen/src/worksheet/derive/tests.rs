@@ -44,8 +44,21 @@ fn options(limit: Duration) -> Options {
 /// The report of a derivation that must fail and leave its folder as it was.
 #[track_caller]
 fn failure(worksheet: &str, limit: Duration) -> String {
+    failure_with(worksheet, &options(limit))
+}
+
+/// The same of a worksheet that may start programs.
+#[track_caller]
+fn failure_of_programs(worksheet: &str, limit: Duration) -> String {
+    let mut options = options(limit);
+    options.maxima.allow_system = true;
+    failure_with(worksheet, &options)
+}
+
+#[track_caller]
+fn failure_with(worksheet: &str, options: &Options) -> String {
     let folder = folder(worksheet);
-    let error = derive(folder.path(), "family", &options(limit)).unwrap_err();
+    let error = derive(folder.path(), "family", options).unwrap_err();
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2, "the folder has changed");
     drawn(&error).replace(&folder.path().display().to_string(), "FOLDER")
 }
@@ -212,15 +225,15 @@ fn files_that_somebody_else_wrote_stay() {
 #[test]
 fn waiting_costs_no_processor_time_but_ends_too() {
     let sleep = "x: 1$ system(\"sleep 3\")$";
-    has(&failure(sleep, Duration::from_millis(1500)), &["family.mac defines no function `d`"]);
-    let report = failure("x: 1$\nsystem(\"sleep 1000\")$", Duration::from_millis(500));
+    has(&failure_of_programs(sleep, Duration::from_millis(1500)), &["family.mac defines no function `d`"]);
+    let report = failure_of_programs("x: 1$\nsystem(\"sleep 1000\")$", Duration::from_millis(500));
     has(&report, &["Maxima did not finish in 10 s, of which it used 0 s", "family.mac:2:1", "sleeps or waits"]);
 }
 
 #[test]
 fn children_of_maxima_count() {
     let start = std::time::Instant::now();
-    let report = failure("x: 1$\nsystem(\"while true; do true; done\")$", Duration::from_secs(2));
+    let report = failure_of_programs("x: 1$\nsystem(\"while true; do true; done\")$", Duration::from_secs(2));
     has(&report, &["did not finish in 2 s of processor time", "family.mac:2:1", "--limit"]);
     assert!(start.elapsed() < Duration::from_secs(60));
 }
