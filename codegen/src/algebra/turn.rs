@@ -131,6 +131,13 @@ impl Turn {
     }
 }
 
+impl Drop for Turn {
+    /// Nobody shall be told of a process that has ended.
+    fn drop(&mut self) {
+        _ = self.lock.set_len(0);
+    }
+}
+
 /// The file is there for all users of the machine, but only one of them may write it.
 fn open(path: &Path) -> io::Result<File> {
     let written = OpenOptions::new().create(true).truncate(false).read(true).write(true).open(path);

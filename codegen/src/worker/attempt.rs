@@ -40,8 +40,10 @@ struct Heard {
     /// The processor time at which it was begun.
     since: Duration,
     made: Option<Generated>,
-    /// What Symbolica printed.
+    /// What Symbolica has begun to print: lines in a frame, of which the last one closes it.
     notice: Vec<String>,
+    /// It has said that another process uses it.
+    refused: bool,
 }
 
 /// How many seconds of processor time one kernel may take.
@@ -73,7 +75,7 @@ pub(super) fn attempt(source: &Source, turn: &Turn, limit: u64, quiet: bool) -> 
 
 fn judge(status: ExitStatus, heard: Heard, errors: &str) -> Result<Ending, WorkerError> {
     let abnormal = !matches!(status.code(), Some(0 | 1));
-    if abnormal && (errors.contains(REFUSAL) || heard.notice.iter().any(|line| line.contains(REFUSAL))) {
+    if abnormal && (heard.refused || errors.contains(REFUSAL)) {
         return Ok(Ending::Refused);
     }
     if !errors.is_empty() {
@@ -144,7 +146,10 @@ fn listen(child: &mut Child, words: &Receiver<String>, heard: &mut Heard, limit:
                     return false;
                 }
             }
-            Err(RecvTimeoutError::Disconnected) => return true,
+            Err(RecvTimeoutError::Disconnected) => {
+                heard.show(quiet);
+                return true;
+            }
         }
     }
 }
@@ -166,13 +171,25 @@ impl Heard {
     }
 
     fn notice(&mut self, line: String, quiet: bool) {
-        if !quiet && !line.contains(REFUSAL) {
-            match &self.bar {
-                Some(bar) => bar.suspend(|| note(line.trim_end())),
-                None => note(line.trim_end()),
-            }
-        }
+        let is_whole = !line.starts_with(['┌', '│']);
         self.notice.push(line);
+        if is_whole {
+            self.show(quiet);
+        }
+    }
+
+    /// Shows what Symbolica printed, in one piece above the bar; a refusal leads to another attempt instead.
+    fn show(&mut self, quiet: bool) {
+        let text = std::mem::take(&mut self.notice).join("\n");
+        let refused = text.contains(REFUSAL);
+        self.refused |= refused;
+        if quiet || refused || text.is_empty() {
+            return;
+        }
+        match &self.bar {
+            Some(bar) => bar.suspend(|| note(&text)),
+            None => note(&text),
+        }
     }
 
     fn what(&self) -> String {
