@@ -31,4 +31,6 @@ mod text;
 pub mod trusted;
 
 pub use check::{ResultBound, check, check_text};
+pub use polynomial::{Atom, Polynomial};
 pub use refusal::{Reason, Refusal, TextError};
+pub use sign::{Facts, Sign};
