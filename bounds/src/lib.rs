@@ -43,5 +43,7 @@ pub use assert::assert_file_bounded;
 pub use check::{Derived, ResultBound, check, check_text, derive};
 pub use keys::Keys;
 pub use place::{Place, place};
+pub use polynomial::{Atom, Polynomial};
 pub use refusal::{Reason, Refusal, TextError, Undefined};
 pub use room::with_room;
+pub use sign::{Facts, Sign};

@@ -315,6 +315,13 @@ fn what_a_formula_needs_is_required_where_no_contract_says_it() {
         (&["x > y"], "1/(x-y)+1/x", &["x > y", "x # 0"], &[[0.0, -1.0], [1.0, 1.0]]),
         (&["x > 1"], "sqrt(x-y)/x", &["x > 1", "x-y >= 0"], &[[2.0, 3.0]]),
         (&["x > 1", "y >= 2"], "sqrt(x*y-1)/(x+y)", &["x > 1", "y >= 2"], &[[1.0, 2.0]]),
+        (&["x # 0 or y # 0"], "x/sqrt(x^2+y^2)", &["x # 0 or y # 0"], &[[0.0, 0.0]]),
+        (
+            &["x > y and y > 1 or y > x and x > 1"],
+            "1/(x-y)+sqrt(x*y)",
+            &["x > y and y > 1 or y > x and x > 1"],
+            &[[2.0, 2.0]],
+        ),
         (&["y > 0"], "6*(x-1)/(x+1+4*sqrt(x))+y", &["y > 0", "x >= 0"], &[[-1.0, 1.0]]),
     ] {
         let kernel = kernel_in(domain, formula);

@@ -2,6 +2,8 @@
 
 use super::KernelError;
 use super::as_written::wide_as_written;
+use super::formula::Formula;
+use super::known::{Effort, Known};
 use crate::algebra::Polynomial;
 use crate::expression::lower;
 use crate::field::{Sign, TowerError};
@@ -19,10 +21,13 @@ use num_traits::Signed;
 /// When a side of a comparison is no rational function of the inputs.
 pub fn build(builder: &mut Builder, domain: &Domain) -> Result<Vec<RequireText>, KernelError> {
     let mut requires = Vec::new();
+    let mut known = Known::new(&builder.tower);
     for Stated { text, condition, natural } in domain.stated() {
-        if *natural && always_holds(builder, condition, text)? {
+        let formula = Formula::of(&mut builder.tower, condition, text)?;
+        if *natural && known.shows(&formula, Effort::Search) {
             continue;
         }
+        known.learn(&formula);
         // decided before it is known to hold: a condition must not be taken for granted in its own test
         let steps = steps(builder, condition, text)?;
         requires.push(RequireText::new(steps, text));
@@ -38,26 +43,6 @@ pub fn build(builder: &mut Builder, domain: &Domain) -> Result<Vec<RequireText>,
 /// When a side of a comparison is no rational function of the inputs.
 pub fn learn_all(builder: &mut Builder, domain: &Domain) -> Result<(), KernelError> {
     domain.conditions().zip(domain.texts()).try_for_each(|(condition, text)| learn(builder, condition, text))
-}
-
-/// Whether a condition holds wherever those before it do, as far as signs tell.
-fn always_holds(builder: &mut Builder, condition: &Contracted, text: &str) -> Result<bool, KernelError> {
-    Ok(match condition {
-        Contracted::Compare(comparison) => {
-            let mut holds = true;
-            for comparison in comparison.divisors().iter().chain([comparison]) {
-                let (polynomial, order) = normal_form(builder, comparison, text)?;
-                holds = holds && builder.tower.facts.sign(&polynomial).is(sign_of(order));
-            }
-            holds
-        }
-        Contracted::And(parts) => {
-            parts.iter().try_fold(true, |all, part| Ok(all && always_holds(builder, part, text)?))?
-        }
-        Contracted::Or(parts) => {
-            parts.iter().try_fold(false, |any, part| Ok(any || always_holds(builder, part, text)?))?
-        }
-    })
 }
 
 fn learn(builder: &mut Builder, condition: &Contracted, text: &str) -> Result<(), KernelError> {

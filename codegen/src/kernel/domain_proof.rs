@@ -3,14 +3,13 @@
 //! Each `require!` is read back and must hold where the condition of the same text does, given those before it; a
 //! condition that is not required must hold wherever the others do, and so must one that is required besides.
 
-use super::ProofError;
-use super::clauses::{Formula, Known, Literal};
-use super::domain::{order_of, sign_of};
+use super::formula::Formula;
+use super::known::{Effort, Known};
 use super::read_back::Reader;
-use crate::expression::{Expr, LowerError, lower};
-use crate::field::{Sign, Tower, TowerError};
+use super::{KernelError, ProofError};
+use crate::expression::Expr;
+use crate::field::{Sign, Tower};
 use crate::worksheet::contract::KernelContract;
-use crate::worksheet::domain::{Comparison, Condition as Contracted};
 use closedform_syntax::{BinaryOp, Comparison as Operator, Condition, Expr as Source, Kernel as SourceKernel, Require};
 use thiserror::Error;
 
@@ -26,12 +25,9 @@ pub enum Gap {
     /// A condition that the contract does not have.
     #[error("`{0}` is required, which is no condition of the contract and does not follow from them")]
     Extra(String),
-    /// A condition of the contract that cannot be read.
-    #[error("the condition `{0}` cannot be read: {1}")]
-    Unreadable(String, LowerError),
     /// A condition without a canonical form.
-    #[error("the condition `{0}` {1}")]
-    NoForm(String, TowerError),
+    #[error(transparent)]
+    NoForm(#[from] KernelError),
 }
 
 /// Proves that the conditions of a text and of a contract hold at the same inputs.
@@ -51,11 +47,11 @@ struct Proof<'k> {
 
 impl<'k> Proof<'k> {
     fn prove(mut self, source: &'k SourceKernel, contract: &KernelContract) -> Result<(), Gap> {
-        let mut known = Known::new(self.tower.facts.clone());
+        let mut known = Known::new(&self.tower);
         let mut open: Vec<&Require> = source.requires.iter().collect();
         for stated in contract.domain.stated() {
             let text = &stated.text;
-            let promised = self.contracted(&stated.condition, text)?;
+            let promised = Formula::of(&mut self.tower, &stated.condition, text)?;
             match open.iter().position(|require| require.text == *text) {
                 Some(position) => {
                     let required = self.required(&open.remove(position).condition, text)?;
@@ -63,45 +59,21 @@ impl<'k> Proof<'k> {
                         return Err(Gap::Different(text.clone()));
                     }
                 }
-                None if !known.shows(&promised) => return Err(Gap::Missing(text.clone())),
-                None => {}
+                None => {
+                    let effort = if stated.natural { Effort::Search } else { Effort::Quick };
+                    if !known.shows(&promised, effort) {
+                        return Err(Gap::Missing(text.clone()));
+                    }
+                }
             }
             known.learn(&promised);
         }
         for require in open {
-            if !known.shows(&self.required(&require.condition, &require.text)?) {
+            if !known.shows(&self.required(&require.condition, &require.text)?, Effort::Quick) {
                 return Err(Gap::Extra(require.text.clone()));
             }
         }
         Ok(())
-    }
-
-    /// A condition of the contract: a comparison holds where its divisors are not zero and its difference is of the sign.
-    fn contracted(&mut self, condition: &Contracted, text: &str) -> Result<Formula, Gap> {
-        let mut all = |parts: &[Contracted]| -> Result<Vec<Formula>, Gap> {
-            parts.iter().map(|part| self.contracted(part, text)).collect()
-        };
-        match condition {
-            Contracted::And(parts) => Ok(Formula::And(all(parts)?)),
-            Contracted::Or(parts) => Ok(Formula::Or(all(parts)?)),
-            Contracted::Compare(comparison) => {
-                let comparisons = comparison.divisors().iter().chain([comparison]);
-                Ok(Formula::And(comparisons.map(|each| self.compared(each, text)).collect::<Result<_, _>>()?))
-            }
-        }
-    }
-
-    fn compared(&mut self, comparison: &Comparison, text: &str) -> Result<Formula, Gap> {
-        let unreadable = |cause| Gap::Unreadable(text.to_owned(), cause);
-        let left = lower(&comparison.lhs).map_err(unreadable)?;
-        let right = lower(&comparison.rhs).map_err(unreadable)?;
-        self.literal(&left.minus(right), sign_of(order_of(comparison.operator)), text)
-    }
-
-    /// That an expression, which has a value, is of a sign.
-    fn literal(&mut self, expr: &Expr, sign: Sign, text: &str) -> Result<Formula, Gap> {
-        let element = self.tower.canonical(expr).map_err(|cause| Gap::NoForm(text.to_owned(), cause))?;
-        Ok(Formula::Literal(Literal { polynomial: element.numerator.times(&element.denominator), sign }))
     }
 
     fn required(&mut self, condition: &'k Condition, text: &str) -> Result<Formula, Gap> {
@@ -121,7 +93,8 @@ impl<'k> Proof<'k> {
             (Condition::Compare { op, left, right }, _) => {
                 let difference = self.difference([left, right]).ok_or_else(|| Gap::Different(text.to_owned()))?;
                 let sign = compared_sign(*op);
-                self.literal(&difference, if holds { sign } else { sign.complement() }, text)
+                let sign = if holds { sign } else { sign.complement() };
+                Ok(Formula::literal(&mut self.tower, &difference, sign, text)?)
             }
         }
     }

@@ -1,9 +1,10 @@
 //! Kernels: from a contract and its reference expressions to the text of a kernel, proved equal to them.
 
 mod as_written;
-mod clauses;
 mod domain;
 mod domain_proof;
+mod formula;
+mod known;
 mod proof;
 mod read_back;
 mod written;
