@@ -145,7 +145,7 @@ impl Space {
             }
             Some(point)
         };
-        let refused = |point: &[f64]| point.iter().all(|input| input.is_finite()) && !self.domain.contains(point);
+        let refused = |point: &[f64]| !self.domain.contains(point);
         let list = (0..count).map(|_| self.first(|| candidate(&mut random), refused)).collect();
         Points { origin: format!("outside, seed {seed}"), list }
     }
@@ -170,7 +170,7 @@ impl Space {
             Maker::Wide => Some(self.each(random, |_, random| with_bits(random.between(-WIDE, WIDE), random))),
             Maker::Octaves => Some(self.each(random, |_, random| random.between(-OCTAVES, OCTAVES).exp2())),
             Maker::Reals => Some(self.each(random, |input, random| random.between(input.typical.0, input.typical.1))),
-            Maker::Extreme => self.extreme(random),
+            Maker::Extreme => self.extreme(random).filter(|point| point.iter().all(|input| input.is_finite())),
         }
     }
 

@@ -79,7 +79,7 @@ pub fn check_range(judge: &Judge, points: &Points) -> Result<(), String> {
         let first = lost.as_ref().map_or(actual.len(), |lost| position(judge, lost));
         for (result, value) in actual.iter().enumerate().take(first + 1) {
             let (exact, lost) = (judge.exact(result, inputs), lost.as_ref().filter(|_| result == first));
-            if !fits(*value, &exact, lost) {
+            if !fits(*value, &exact, judge.bound(result), lost) {
                 let what = format!("{value:?} for {exact:.20}, and checked says {lost:?}");
                 return Err(told(judge, inputs, &points.origin, &what));
             }
@@ -93,11 +93,14 @@ fn position(judge: &Judge, lost: &RangeError) -> usize {
     results.iter().position(|result| result.name == lost.result()).expect("a result of the kernel")
 }
 
-/// Whether the exact value is as lost as is said. At the edge of what `f64` holds, rounding decides.
-fn fits(value: f64, exact: &Float, lost: Option<&RangeError>) -> bool {
-    let normal = exact.clone().abs() >= f64::MIN_POSITIVE * (1.0 - f64::EPSILON);
+/// Whether the exact value is as lost as is said: one that is kept has the digits that the bound promises, below the
+/// normal numbers too. At the edge of what `f64` holds, rounding decides.
+fn fits(value: f64, exact: &Float, bound: f64, lost: Option<&RangeError>) -> bool {
+    let magnitude = exact.clone().abs();
+    let normal = magnitude >= f64::MIN_POSITIVE * (1.0 - f64::EPSILON);
+    let off = Float::with_val(exact.prec() + 64, exact - value).abs();
     match lost {
-        None => value.is_finite() && (normal || *exact == value),
+        None => value.is_finite() && (normal || off <= magnitude * bound * f64::EPSILON),
         Some(lost) if lost.rounded().to_bits() != value.to_bits() => false,
         Some(lost) => match lost.reason() {
             RangeReason::Overflow => value.is_infinite() && exact.to_f64().is_infinite(),
