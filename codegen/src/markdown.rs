@@ -38,23 +38,24 @@ pub fn one_line(text: &str) -> String {
 fn is_special(line: &str, at: usize, letter: char) -> bool {
     let (before, after) = (&line[..at], &line[at + letter.len_utf8()..]);
     match letter {
-        '*' | '[' | '<' | '`' | '\\' | '~' => true,
+        '*' | '[' | '`' | '\\' | '~' | '|' => true,
+        '<' => after.starts_with(|c: char| c.is_ascii_alphabetic() || matches!(c, '/' | '!' | '?')),
         // inside a word it is a letter
         '_' => !(before.ends_with(char::is_alphanumeric) && after.starts_with(char::is_alphanumeric)),
         '&' => after.starts_with(|c: char| c == '#' || c.is_ascii_alphabetic()),
-        '|' => true,
         ':' => after.starts_with("//"), // an address
         '-' => before.is_empty() || before.ends_with('-'),
-        '.' => before.ends_with('.') || is_list_number(before),
-        ')' => is_list_number(before),
+        '.' => before.ends_with('.') || is_list_number(before, after),
+        ')' => is_list_number(before, after),
         '#' | '+' | '=' | '>' => before.is_empty(),
         _ => false,
     }
 }
 
 /// Whether a number at the start of a line would begin a list with the letter after it.
-fn is_list_number(before: &str) -> bool {
-    !before.is_empty() && before.len() < 10 && before.bytes().all(|byte| byte.is_ascii_digit())
+fn is_list_number(before: &str, after: &str) -> bool {
+    let ends = after.is_empty() || after.starts_with(' ');
+    ends && !before.is_empty() && before.len() < 10 && before.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 #[cfg(test)]
@@ -65,7 +66,7 @@ mod tests {
     fn formulas_keep_their_letters() {
         assert_eq!(plain("v0 = kv0*x4/t1 and v3 = kv3*x4/t1"), r"v0 = kv0\*x4/t1 and v3 = kv3\*x4/t1");
         assert_eq!(plain("From s5ST[1], by t_in and _x_"), r"From s5ST\[1], by t_in and \_x\_");
-        assert_eq!(plain("if a < b & c > d, Vec<f64>"), r"if a \< b & c > d, Vec\<f64>");
+        assert_eq!(plain("if a < b & c > d, Vec<f64>"), r"if a < b & c > d, Vec\<f64>");
         assert_eq!(plain("&lt; `code` C:\\"), r"\&lt; \`code\` C:\\");
         assert_eq!(plain("see https://a.b/c_d, 1...2, a--b ~~c~~"), r"see https\://a.b/c_d, 1.\.\.2, a-\-b \~\~c\~\~");
     }
@@ -77,7 +78,7 @@ mod tests {
         }
         assert_eq!(
             (plain("1. a"), plain("12) a"), plain("2.3.1 %o50")),
-            (r"1\. a".into(), r"12\) a".into(), r"2\.3.1 %o50".into())
+            (r"1\. a".into(), r"12\) a".into(), "2.3.1 %o50".into())
         );
     }
 

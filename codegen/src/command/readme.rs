@@ -2,7 +2,7 @@
 
 use crate::catalogue::{Catalogue, Entry};
 use crate::ledger::{Row, costs_of, naive_of, worst_of};
-use crate::markdown::{code, plain};
+use crate::markdown;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{fs, io};
@@ -53,7 +53,7 @@ fn table(catalogue: &Catalogue, rows: &[Row]) -> String {
             text,
             "| `{}` | {} | {} | {} | {:.2} | {} | {naive} {plain} {faithful} |",
             entry.full_name(),
-            plain(entry.kernel.meta.summary.trim_end_matches('.')),
+            markdown::plain(entry.kernel.meta.summary.trim_end_matches('.')),
             domain(entry),
             bound(entry),
             worst_of(rows, &entry.full_name()),
@@ -73,7 +73,7 @@ fn short(ulp: f64) -> String {
 }
 
 fn domain(entry: &Entry) -> String {
-    let conditions = entry.kernel.requires.iter().map(|require| code(&require.text).replace('|', "\\|"));
+    let conditions = entry.kernel.requires.iter().map(|require| markdown::code(&require.text).replace('|', "\\|"));
     conditions.collect::<Vec<_>>().join(", ")
 }
 
