@@ -48,7 +48,7 @@ fn commands_that_answer() {
         &["eval", "--help"],
         &["list"],
         &["list", "--json"],
-        &["show", "pvt::cubic"],
+        &["show", "pvt::turn_out"],
         &["verify", "pvt::turn_out", "--points", "3"],
     ] {
         holds(&folder, arguments);
