@@ -9,7 +9,7 @@ use crate::refusal::{Reason, Refusal};
 use crate::sign::Sign;
 use crate::text::text;
 use crate::trusted;
-use closedform_syntax::{BinaryOp, Condition, Expr, Kernel, Precision};
+use closedform_syntax::{BinaryOp, Condition, Expr, Kernel, Precision, condition_text};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 

@@ -18,6 +18,7 @@ pub use runtime::Runtime;
 use crate::catalogue::Catalogue;
 use crate::folder;
 use crate::pipeline::Generated;
+use crate::scratch::Folder;
 use place::Place;
 use std::collections::BTreeMap;
 use std::fs;
@@ -29,7 +30,7 @@ pub struct Draft {
     module: String,
     files: BTreeMap<String, String>,
     /// The generated sources as a folder, as commands read them.
-    folder: tempfile::TempDir,
+    folder: Folder,
 }
 
 impl Draft {
@@ -42,8 +43,7 @@ impl Draft {
         let mut files = generated.files.clone();
         files.remove(text::INDEX);
         let module = files.keys().next().and_then(|name| name.strip_suffix(".rs")).unwrap_or_default().to_owned();
-        let folder =
-            tempfile::tempdir().map_err(|cause| OwnCrateError::write(Path::new("a temporary folder"), cause))?;
+        let folder = Folder::new().map_err(|cause| OwnCrateError::write(Path::new("a temporary folder"), cause))?;
         folder::write(folder.path(), &files).map_err(|cause| OwnCrateError::write(folder.path(), cause))?;
         let values =
             values::text(&Catalogue::load(folder.path())?, &text::mark_of_values(&files[&format!("{module}.rs")]))?;

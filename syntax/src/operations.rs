@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::kernel::{BinaryOp, Condition, Expr, Kernel};
+use crate::kernel::{BinaryOp, Expr, Kernel};
 
 /// How many operations one evaluation takes; signs, magnitudes, comparisons and choices are free.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

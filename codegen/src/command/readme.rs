@@ -3,6 +3,7 @@
 use crate::catalogue::{Catalogue, Entry};
 use crate::ledger::{Row, costs_of, naive_of, worst_of};
 use crate::markdown;
+use crate::scratch;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{fs, io};
@@ -35,7 +36,7 @@ pub fn update(root: &Path, catalogue: &Catalogue, rows: &[Row]) -> miette::Resul
 
 fn write(root: &Path, text: &str) -> io::Result<()> {
     let path = root.join("README.md");
-    let file = tempfile::NamedTempFile::new_in(root)?;
+    let file = scratch::beside(&path)?;
     fs::write(file.path(), text)?;
     file.as_file().set_permissions(fs::metadata(&path)?.permissions())?;
     file.persist(path).map_err(|error| error.error)?;

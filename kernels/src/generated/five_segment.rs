@@ -10,7 +10,7 @@ use closedform::kernel;
 pub struct ByAccelerations {
     /// `s5ST_t0`, in s.
     pub t0: f64,
-    /// `s5ST_Ko`, in no unit.
+    /// `s5ST_Ko`, a number.
     pub ko: f64,
     /// `s5ST_t2`, in s.
     pub t2: f64,
@@ -35,10 +35,10 @@ pub struct ByAccelerations {
 /// # Inputs
 ///
 /// - `delta_x` (`DeltaX`), in m: whole travel
-/// - `ki` (`Ki`), in no unit: twice the travel of the first ramp, as a fraction of the whole
-/// - `a0` (`a0`), in m/s^2: acceleration after the first ramp
-/// - `a1` (`a1`), in m/s^2: acceleration after the second segment, of either sign
-/// - `t1` (`t1`), in s: time of the second and of the fourth segment
+/// - `ki` (`Ki`): twice the travel of the first ramp, as a fraction of the whole
+/// - `a0`, in m/s^2: acceleration after the first ramp
+/// - `a1`, in m/s^2: acceleration after the second segment, of either sign
+/// - `t1`, in s: time of the second and of the fourth segment
 ///
 /// # Domain
 ///
@@ -53,7 +53,7 @@ pub struct ByAccelerations {
 /// - `a0+a1 >= 0 or 3*DeltaX*Ki*a0 > (a0+a1)^2*t1^2`
 /// - `a1 >= 0 or (a1^2+2*a0*a1+9*a0^2)*t1^2+3*DeltaX*(9*Ki*a0+8*a1*(1-Ki)) >= 0 or 108*t1^2*(3*a0-a1)^2*DeltaX*Ki*a0 >= ((a1^2+2*a0*a1+9*a0^2)*t1^2+3*DeltaX*(9*Ki*a0+8*a1*(1-Ki)))^2`
 ///
-/// At the edges: the conditions are Ko < 1, v1 > 0 and 36*v1^2+24*a1*DeltaX*(1-Ko) >= 0 without their square root; t2 tends to 0 with 1-Ko; a1 = 0 is regular, t2 = DeltaX*(1-Ko)/v1; where the root in t2 is 0 both solutions are one, t2 = -3*v1/a1.
+/// At the edges: the conditions are Ko < 1, v1 > 0 and 36\*v1^2+24\*a1\*DeltaX\*(1-Ko) >= 0 without their square root; t2 tends to 0 with 1-Ko; a1 = 0 is regular, t2 = DeltaX\*(1-Ko)/v1; where the root in t2 is 0 both solutions are one, t2 = -3\*v1/a1.
 ///
 /// # Error
 ///
@@ -63,7 +63,7 @@ pub struct ByAccelerations {
 /// - `v0`: at most 0.51 ulp, barring overflow and underflow of the result
 /// - `v1`: at most 0.51 ulp, barring overflow and underflow of the result
 ///
-/// From: 3 s5ST[1].
+/// From: 3 s5ST\[1].
 #[kernel(
     family = "five_segment",
     maxima = "s5ST_t0(DeltaX,Ki,a0,a1,t1):=sqrt(3)*sqrt(DeltaX*Ki*a0)/a0\ns5ST_Ko(DeltaX,Ki,a0,a1,t1):=((a1+2*a0)*t1^2+3^(3/2)*sqrt(DeltaX*Ki*a0)*t1)/(3*DeltaX)+Ki\ns5ST_t2(DeltaX,Ki,a0,a1,t1):=12*DeltaX*(-((a1+2*a0)*t1^2+3^(3/2)*sqrt(DeltaX*Ki*a0)*t1)/(3*DeltaX)-Ki+1)/(sqrt(9*((a1+a0)*t1+sqrt(3)*sqrt(DeltaX*Ki*a0))^2+24*DeltaX*a1*(-((a1+2*a0)*t1^2+3^(3/2)*sqrt(DeltaX*Ki*a0)*t1)/(3*DeltaX)-Ki+1))+3*((a1+a0)*t1+sqrt(3)*sqrt(DeltaX*Ki*a0)))\ns5ST_v0(DeltaX,Ki,a0,a1,t1):=sqrt(3)*sqrt(DeltaX*Ki*a0)/2\ns5ST_v1(DeltaX,Ki,a0,a1,t1):=((a1+a0)*t1+sqrt(3)*sqrt(DeltaX*Ki*a0))/2",
@@ -166,14 +166,14 @@ pub fn by_accelerations(
 /// s5_Ki_Ko1(DeltaX,a0,a1,t1):=(sqrt(a0)*sqrt((a0-4*a1)*t1^2+12*DeltaX)-3*a0*t1)^2/(12*DeltaX*a0)
 /// ```
 ///
-/// Branch: the + root of the quadratic in sqrt(3*DeltaX*Ki*a0); the other one is negative.
+/// Branch: the + root of the quadratic in sqrt(3\*DeltaX\*Ki\*a0); the other one is negative.
 ///
 /// # Inputs
 ///
 /// - `delta_x` (`DeltaX`), in m: whole travel
-/// - `a0` (`a0`), in m/s^2: acceleration after the first ramp
-/// - `a1` (`a1`), in m/s^2: acceleration after the second segment, of either sign
-/// - `t1` (`t1`), in s: time of the second and of the fourth segment
+/// - `a0`, in m/s^2: acceleration after the first ramp
+/// - `a1`, in m/s^2: acceleration after the second segment, of either sign
+/// - `t1`, in s: time of the second and of the fourth segment
 ///
 /// # Domain
 ///
@@ -185,7 +185,7 @@ pub fn by_accelerations(
 /// - `3*DeltaX > (a1+2*a0)*t1^2`
 /// - `a1 >= 0 or 3*a0*DeltaX > a1^2*t1^2`
 ///
-/// At the edges: between 0 and 1; tends to 0 as DeltaX falls to (a1+2*a0)*t1^2/3; the last condition is v1 > 0; by_accelerations needs a smaller Ki.
+/// At the edges: between 0 and 1; tends to 0 as DeltaX falls to (a1+2\*a0)\*t1^2/3; the last condition is v1 > 0; by_accelerations needs a smaller Ki.
 ///
 /// # Error
 ///
@@ -237,7 +237,7 @@ pub struct ByTimes {
     pub v0: f64,
     /// `s5SX_v1`, in m/s.
     pub v1: f64,
-    /// `s5SX_Ko`, in no unit.
+    /// `s5SX_Ko`, a number.
     pub ko: f64,
 }
 
@@ -256,10 +256,10 @@ pub struct ByTimes {
 /// # Inputs
 ///
 /// - `delta_x` (`DeltaX`), in m: whole travel
-/// - `ki` (`Ki`), in no unit: twice the travel of the first ramp, as a fraction of the whole
-/// - `t0` (`t0`), in s: time of the first and of the last segment, the ramps
-/// - `t1` (`t1`), in s: time of the second and of the fourth segment
-/// - `t2` (`t2`), in s: time of the segment in the middle
+/// - `ki` (`Ki`): twice the travel of the first ramp, as a fraction of the whole
+/// - `t0`, in s: time of the first and of the last segment, the ramps
+/// - `t1`, in s: time of the second and of the fourth segment
+/// - `t2`, in s: time of the segment in the middle
 ///
 /// # Domain
 ///
@@ -272,15 +272,15 @@ pub struct ByTimes {
 /// - `t2 > 0`
 /// - `2*t0^2 >= Ki*(t0+t1)*(2*t0+2*t1+t2)`
 ///
-/// At the edges: the last condition is that the axis never runs backward, v1+a1*t2/4 >= 0, from which Ki < Ko < 1 and v1 > 0 follow; the formulas hold without it; a1 is 0 where 2*t0^2 = Ki*(t0+t1)*(2*t0+4*t1+3*t2).
+/// At the edges: the last condition is that the axis never runs backward, v1+a1\*t2/4 >= 0, from which Ki < Ko < 1 and v1 > 0 follow; the formulas hold without it; a1 is 0 where 2\*t0^2 = Ki\*(t0+t1)\*(2\*t0+4\*t1+3\*t2).
 ///
 /// # Error
 ///
-/// - `a0`: at most 3.01 ulp, barring overflow and underflow
-/// - `a1`: at most 3.01 ulp, barring overflow and underflow
-/// - `v0`: at most 2.01 ulp, barring overflow and underflow
-/// - `v1`: at most 3.01 ulp, barring overflow and underflow
-/// - `ko`: at most 3.01 ulp, barring overflow and underflow
+/// - `a0`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `a1`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `v0`: at most 2.01 ulp, barring overflow and underflow of the result
+/// - `v1`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `ko`: at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 3 eqSet, solved for the accelerations (not shown).
 #[kernel(

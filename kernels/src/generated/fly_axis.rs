@@ -40,12 +40,12 @@ pub struct TurnOut {
 /// - `a1Max > 0`
 /// - `2*v1Diff <= a1Max*tIn`
 ///
-/// At the edges: both tend to 0 as v1Diff rises to v1Scan; at 2*v1Diff = a1Max*tIn the deceleration is a1Max through the whole of tOut.
+/// At the edges: both tend to 0 as v1Diff rises to v1Scan; at 2\*v1Diff = a1Max\*tIn the deceleration is a1Max through the whole of tOut.
 ///
 /// # Error
 ///
-/// - `t_out`: at most 3.01 ulp, barring overflow and underflow
-/// - `d1_out`: at most 3.01 ulp, barring overflow and underflow
+/// - `t_out`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `d1_out`: at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.6 rscn_ax1_Tol_sol, rscn_d1Out.
 #[kernel(
@@ -108,7 +108,7 @@ pub fn turn_out(
 ///
 /// # Error
 ///
-/// - at most 2.01 ulp, barring overflow and underflow
+/// - at most 2.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.6 rscn_ax1_Tol_sol.
 #[kernel(
@@ -157,7 +157,7 @@ pub fn d1_in(
 ///
 /// # Error
 ///
-/// - at most 0.5 ulp, barring overflow and underflow
+/// - at most 0.5 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.6 rscn_ax1_Tol_sol, ax1IAcc.
 #[kernel(
@@ -203,11 +203,11 @@ pub fn a1_in(
 /// - `a1Max*tOut < 2*(v1Scan-v1Diff)`
 /// - `v1Scan-v1Diff <= a1Max*tOut`
 ///
-/// At the edges: grows without limit as a1Max*tOut rises to 2*(v1Scan-v1Diff); 2*v1Diff/a1Max where a1Max*tOut = v1Scan-v1Diff.
+/// At the edges: grows without limit as a1Max\*tOut rises to 2\*(v1Scan-v1Diff); 2\*v1Diff/a1Max where a1Max\*tOut = v1Scan-v1Diff.
 ///
 /// # Error
 ///
-/// - at most 3.01 ulp, barring overflow and underflow
+/// - at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.6 %o202.
 #[kernel(
@@ -262,11 +262,11 @@ pub fn t_in_of_t_out(
 /// - `a1Max*tOut <= 2*v1Scan`
 /// - `2*v1Scan <= a1Max*(2*tOut+tIn)`
 ///
-/// At the edges: 0 where a1Max*tOut = 2*v1Scan; a1Max*tIn/2 where 2*v1Scan = a1Max*(2*tOut+tIn).
+/// At the edges: 0 where a1Max\*tOut = 2\*v1Scan; a1Max\*tIn/2 where 2\*v1Scan = a1Max\*(2\*tOut+tIn).
 ///
 /// # Error
 ///
-/// - at most 4.01 ulp, barring overflow and underflow
+/// - at most 4.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.6 rscn_VAdd_ax1.
 #[kernel(
@@ -321,7 +321,7 @@ pub fn v1_diff(
 ///
 /// # Error
 ///
-/// - at most 3 ulp, barring overflow and underflow
+/// - at most 3 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.6 rscn_tAdd.
 #[kernel(
@@ -373,7 +373,7 @@ pub fn t_add(
 ///
 /// # Error
 ///
-/// - at most 3.01 ulp, barring overflow and underflow
+/// - at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.6 %o200.
 #[kernel(
@@ -438,12 +438,12 @@ pub struct OverheadOfTOut {
 /// - `a1Max*tOut < 2*(v1Scan-v1Diff)`
 /// - `v1Scan-v1Diff <= a1Max*tOut`
 ///
-/// At the edges: both grow without limit as a1Max*tOut rises to 2*(v1Scan-v1Diff), where tIn does.
+/// At the edges: both grow without limit as a1Max\*tOut rises to 2\*(v1Scan-v1Diff), where tIn does.
 ///
 /// # Error
 ///
-/// - `t_ovr_hd`: at most 3.01 ulp, barring overflow and underflow
-/// - `dt_ovr_hd_dv1_diff`: at most 3.01 ulp, barring overflow and underflow
+/// - `t_ovr_hd`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `dt_ovr_hd_dv1_diff`: at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.6 %o202, %o203.
 #[kernel(

@@ -10,11 +10,11 @@ use closedform::kernel;
 pub struct Direction {
     /// `mt_length`, in mm.
     pub length: f64,
-    /// `mt_nx`, in no unit.
+    /// `mt_nx`, a number.
     pub n_x: f64,
-    /// `mt_ny`, in no unit.
+    /// `mt_ny`, a number.
     pub n_y: f64,
-    /// `mt_nz`, in no unit.
+    /// `mt_nz`, a number.
     pub n_z: f64,
 }
 
@@ -29,9 +29,9 @@ pub struct Direction {
 ///
 /// # Inputs
 ///
-/// - `x` (`x`), in mm: first coordinate of the cut, from point to point
-/// - `y` (`y`), in mm: second coordinate of the cut
-/// - `z` (`z`), in mm: third coordinate of the cut
+/// - `x`, in mm: first coordinate of the cut, from point to point
+/// - `y`, in mm: second coordinate of the cut
+/// - `z`, in mm: third coordinate of the cut
 ///
 /// # Domain
 ///
@@ -41,10 +41,10 @@ pub struct Direction {
 ///
 /// # Error
 ///
-/// - `length`: at most 2.5 ulp, barring overflow and underflow
-/// - `n_x`: at most 3.5 ulp, barring overflow and underflow
-/// - `n_y`: at most 3.5 ulp, barring overflow and underflow
-/// - `n_z`: at most 3.5 ulp, barring overflow and underflow
+/// - `length`: at most 2.5 ulp, barring overflow and underflow of the result
+/// - `n_x`: at most 3.5 ulp, barring overflow and underflow of the result
+/// - `n_y`: at most 3.5 ulp, barring overflow and underflow of the result
+/// - `n_z`: at most 3.5 ulp, barring overflow and underflow of the result
 ///
 /// From: definitions: Vektor, normierter Vektor.
 #[kernel(
@@ -87,9 +87,9 @@ pub fn direction(
 ///
 /// # Inputs
 ///
-/// - `n` (`n`), in no unit: component of the unit vector of the cut along the axis; an axis with n < 0 is the mirrored one, -n and -u; one with n = 0 limits nothing
-/// - `u` (`u`), in mm/s: speed of the axis in the step before
-/// - `a` (`a`), in mm/s^2: acceleration limit of the axis
+/// - `n`: component of the unit vector of the cut along the axis; an axis with n < 0 is the mirrored one, -n and -u; one with n = 0 limits nothing
+/// - `u`, in mm/s: speed of the axis in the step before
+/// - `a`, in mm/s^2: acceleration limit of the axis
 /// - `length` (`L`), in mm: length of the step along the cut; the seed's is 1 mm
 ///
 /// # Domain
@@ -100,11 +100,11 @@ pub fn direction(
 /// - `a > 0`
 /// - `L > 0`
 ///
-/// At the edges: sqrt(a*L/n) from rest; tends to u/n, for u < 0 to 0, with a*L/n; on one cut, where u = n*W, it depends on a/n and W alone.
+/// At the edges: sqrt(a\*L/n) from rest; tends to u/n, for u < 0 to 0, with a\*L/n; on one cut, where u = n\*W, it depends on a/n and W alone.
 ///
 /// # Error
 ///
-/// - at most 4.51 ulp, barring overflow and underflow
+/// - at most 4.51 ulp, barring overflow and underflow of the result
 ///
 /// From: the quadratic in X and its roots X1/2.
 #[kernel(
@@ -141,9 +141,9 @@ pub fn step_speed(
 ///
 /// # Inputs
 ///
-/// - `n_x` (`nx`), in no unit: magnitude of the first component of the unit vector of the cut
-/// - `n_y` (`ny`), in no unit: magnitude of the second component
-/// - `n_z` (`nz`), in no unit: magnitude of the third component
+/// - `n_x` (`nx`): magnitude of the first component of the unit vector of the cut
+/// - `n_y` (`ny`): magnitude of the second component
+/// - `n_z` (`nz`): magnitude of the third component
 /// - `a_x` (`ax`), in mm/s^2: acceleration limit of the first axis
 /// - `a_y` (`ay`), in mm/s^2: acceleration limit of the second axis
 /// - `a_z` (`az`), in mm/s^2: acceleration limit of the third axis
@@ -163,7 +163,7 @@ pub fn step_speed(
 ///
 /// # Error
 ///
-/// - at most 0.5 ulp, barring overflow and underflow
+/// - at most 0.5 ulp, barring overflow and underflow of the result
 ///
 /// From: the least of the speeds that the axes allow.
 #[kernel(
@@ -204,7 +204,7 @@ pub fn limit_of_axes(
 /// # Inputs
 ///
 /// - `w` (`W`), in mm/s: speed along the cut in the step before, 0 in the first step
-/// - `r` (`r`), in s^2/mm: the largest n/a of the axes
+/// - `r`, in s^2/mm: the largest n/a of the axes
 /// - `length` (`L`), in mm: length of the step along the cut; the seed's is 1 mm
 /// - `feed` (`F`), in mm/s: largest speed along the cut
 ///
@@ -221,7 +221,7 @@ pub fn limit_of_axes(
 ///
 /// # Error
 ///
-/// - at most 5 ulp, barring overflow and underflow
+/// - at most 5 ulp, barring overflow and underflow of the result
 ///
 /// From: the quadratic in X for the least speed of the axes; the feed limit is not in the seed.
 #[kernel(
@@ -268,7 +268,7 @@ pub fn cut_speed(
 ///
 /// # Error
 ///
-/// - at most 0.5 ulp, barring overflow and underflow
+/// - at most 0.5 ulp, barring overflow and underflow of the result
 ///
 /// From: Time = Time + (1/X).
 #[kernel(
@@ -310,9 +310,9 @@ pub struct ConstantAcceleration {
 ///
 /// # Inputs
 ///
-/// - `n` (`n`), in no unit: component of the unit vector of the cut along the axis; an axis with n < 0 is the mirrored one, -n and -u; one with n = 0 limits nothing
-/// - `u` (`u`), in mm/s: speed of the axis in the step before
-/// - `a` (`a`), in mm/s^2: acceleration limit of the axis
+/// - `n`: component of the unit vector of the cut along the axis; an axis with n < 0 is the mirrored one, -n and -u; one with n = 0 limits nothing
+/// - `u`, in mm/s: speed of the axis in the step before
+/// - `a`, in mm/s^2: acceleration limit of the axis
 /// - `length` (`L`), in mm: length of the step along the cut; the seed's is 1 mm
 ///
 /// # Domain
@@ -324,12 +324,12 @@ pub struct ConstantAcceleration {
 /// - `a > 0`
 /// - `L > 0`
 ///
-/// At the edges: from rest sqrt(2*a*L/n) and sqrt(2*n*L/a), each sqrt(2) times what one step gives; the time of a step from u is never the longer one.
+/// At the edges: from rest sqrt(2\*a\*L/n) and sqrt(2\*n\*L/a), each sqrt(2) times what one step gives; the time of a step from u is never the longer one.
 ///
 /// # Error
 ///
-/// - `speed`: at most 2.51 ulp, barring overflow and underflow
-/// - `time`: at most 4.51 ulp, barring overflow and underflow
+/// - `speed`: at most 2.51 ulp, barring overflow and underflow of the result
+/// - `time`: at most 4.51 ulp, barring overflow and underflow of the result
 ///
 /// From: not in the seed: the limit of its steps.
 #[kernel(
@@ -372,9 +372,9 @@ pub fn constant_acceleration(
 ///
 /// # Inputs
 ///
-/// - `n` (`n`), in no unit: component of the unit vector of the cut along the axis; an axis with n < 0 is the mirrored one, -n and -u; one with n = 0 limits nothing
-/// - `a` (`a`), in mm/s^2: acceleration limit of the axis
-/// - `s` (`s`), in mm: length of the whole cut
+/// - `n`: component of the unit vector of the cut along the axis; an axis with n < 0 is the mirrored one, -n and -u; one with n = 0 limits nothing
+/// - `a`, in mm/s^2: acceleration limit of the axis
+/// - `s`, in mm: length of the whole cut
 ///
 /// # Domain
 ///
@@ -388,7 +388,7 @@ pub fn constant_acceleration(
 ///
 /// # Error
 ///
-/// - at most 2 ulp, barring overflow and underflow
+/// - at most 2 ulp, barring overflow and underflow of the result
 ///
 /// From: not in the seed: the limit of its sum.
 #[kernel(

@@ -11,14 +11,14 @@ use closedform::kernel;
 /// t_i(a,v,Delta,delta):=positive_root(t^2*(8*v^2+22*Delta*v-3*a^2*delta+15*Delta^2)+t^3*(6*a*v+8*Delta*a)+a^2*t^4-6*Delta*a*delta*t-3*Delta^2*delta,t)
 /// ```
 ///
-/// Branch: the one positive root; the coefficients of the quartic change sign once, and the root lies below sqrt(3*delta).
+/// Branch: the one positive root; the coefficients of the quartic change sign once, and the root lies below sqrt(3\*delta).
 ///
 /// # Inputs
 ///
-/// - `a` (`a`), in m/s^2: largest acceleration of the scan axis, a1Max
-/// - `v` (`v`), in m/s: v1Scan-3*v1Diff: scan velocity less three times what the ramp in takes from it
-/// - `delta_v` (`Delta`), in m/s: 2*v1Diff: twice what the ramp in takes from the scan velocity
-/// - `delta` (`delta`), in s^2: step by largest acceleration of the step axis, d2Step/a2Max
+/// - `a`, in m/s^2: largest acceleration of the scan axis, a1Max
+/// - `v`, in m/s: v1Scan-3\*v1Diff: scan velocity less three times what the ramp in takes from it
+/// - `delta_v` (`Delta`), in m/s: 2\*v1Diff: twice what the ramp in takes from the scan velocity
+/// - `delta`, in s^2: step by largest acceleration of the step axis, d2Step/a2Max
 ///
 /// # Domain
 ///
@@ -29,11 +29,11 @@ use closedform::kernel;
 /// - `delta > 0`
 /// - `v+Delta > 0`
 ///
-/// At the edges: tends to 0 with delta, and to sqrt(3*delta) as v+Delta tends to 0.
+/// At the edges: tends to 0 with delta, and to sqrt(3\*delta) as v+Delta tends to 0.
 ///
 /// # Error
 ///
-/// - at most 0.51 ulp, barring overflow and underflow
+/// - at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: second numbering 2, %o259.
 #[kernel(
@@ -80,10 +80,10 @@ pub fn t_i(
 ///
 /// # Inputs
 ///
-/// - `t_i` (`t_i`), in s: time of the ramp in
-/// - `a` (`a`), in m/s^2: largest acceleration of the scan axis, a1Max
-/// - `v` (`v`), in m/s: v1Scan-3*v1Diff: scan velocity less three times what the ramp in takes from it
-/// - `delta_v` (`Delta`), in m/s: 2*v1Diff: twice what the ramp in takes from the scan velocity
+/// - `t_i`, in s: time of the ramp in
+/// - `a`, in m/s^2: largest acceleration of the scan axis, a1Max
+/// - `v`, in m/s: v1Scan-3\*v1Diff: scan velocity less three times what the ramp in takes from it
+/// - `delta_v` (`Delta`), in m/s: 2\*v1Diff: twice what the ramp in takes from the scan velocity
 ///
 /// # Domain
 ///
@@ -98,7 +98,7 @@ pub fn t_i(
 ///
 /// # Error
 ///
-/// - at most 3.01 ulp, barring overflow and underflow
+/// - at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: second numbering 2, ax1_tIO_eq.
 #[kernel(
@@ -135,14 +135,14 @@ pub fn t_o(
 /// tIn_tE0(v1Scan,v1Diff,a1Max,delta):=positive_root(t^2*(8*(v1Scan-v1Diff)^2+12*v1Diff*(v1Scan-v1Diff)+4*v1Diff^2-3*a1Max^2*delta)+a1Max*t^3*(6*(v1Scan-v1Diff)+4*v1Diff)-12*delta*v1Diff^2-12*a1Max*delta*t*v1Diff+a1Max^2*t^4,t)
 /// ```
 ///
-/// Branch: the one positive root; the coefficients of the quartic change sign once, and the root lies below sqrt(3*delta).
+/// Branch: the one positive root; the coefficients of the quartic change sign once, and the root lies below sqrt(3\*delta).
 ///
 /// # Inputs
 ///
 /// - `v1_scan` (`v1Scan`), in m/s: velocity of the scan axis on the line
 /// - `v1_diff` (`v1Diff`), in m/s: what the scan axis loses in the ramp in
 /// - `a1_max` (`a1Max`), in m/s^2: largest acceleration of the scan axis
-/// - `delta` (`delta`), in s^2: step by largest acceleration of the step axis, d2Step/a2Max
+/// - `delta`, in s^2: step by largest acceleration of the step axis, d2Step/a2Max
 ///
 /// # Domain
 ///
@@ -154,11 +154,11 @@ pub fn t_o(
 /// - `delta > 0`
 /// - `3*a1Max^2*delta >= 2*v1Scan*(v1Scan+v1Diff)`
 ///
-/// At the edges: 2*v1Diff/a1Max where 3*a1Max^2*delta = 2*v1Scan*(v1Scan+v1Diff): for a smaller delta the scan axis would have to pass a1Max; tends to sqrt(3*delta) as v1Diff rises to v1Scan.
+/// At the edges: 2\*v1Diff/a1Max where 3\*a1Max^2\*delta = 2\*v1Scan\*(v1Scan+v1Diff): for a smaller delta the scan axis would have to pass a1Max; tends to sqrt(3\*delta) as v1Diff rises to v1Scan.
 ///
 /// # Error
 ///
-/// - at most 0.51 ulp, barring overflow and underflow
+/// - at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: second numbering 2, %o259; 4.6.
 #[kernel(
@@ -199,7 +199,7 @@ pub fn t_in(
         - start * (cancelling2 / (((product2 * a1_max * start + product3) * start * start + 12.0 * v1_diff * a1_max * delta) * start + 24.0 * v1_diff * v1_diff * delta))
 }
 
-/// The positive x of qa*x^4+qb*x^3+qc*x^2 = qd.
+/// The positive x of qa\*x^4+qb\*x^3+qc\*x^2 = qd.
 ///
 /// ```text
 /// quartic_abcd(qa,qb,qc,qd):=positive_root(qa*x^4+qb*x^3+qc*x^2-qd,x)
@@ -209,10 +209,10 @@ pub fn t_in(
 ///
 /// # Inputs
 ///
-/// - `qa` (`qa`), in no unit: coefficient of x^4
-/// - `qb` (`qb`), in no unit: coefficient of x^3
-/// - `qc` (`qc`), in no unit: coefficient of x^2
-/// - `qd` (`qd`), in no unit: minus the constant coefficient
+/// - `qa`: coefficient of x^4
+/// - `qb`: coefficient of x^3
+/// - `qc`: coefficient of x^2
+/// - `qd`: minus the constant coefficient
 ///
 /// # Domain
 ///
@@ -222,11 +222,11 @@ pub fn t_in(
 /// - `qb > 0`
 /// - `qd > 0`
 ///
-/// At the edges: tends to 0 with qd for qc >= 0, to the positive root of qa*x^2+qb*x+qc for qc < 0.
+/// At the edges: tends to 0 with qd for qc >= 0, to the positive root of qa\*x^2+qb\*x+qc for qc < 0.
 ///
 /// # Error
 ///
-/// - at most 0.51 ulp, barring overflow and underflow
+/// - at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: second numbering 2, %o262.
 #[kernel(

@@ -10,7 +10,7 @@ use closedform::kernel;
 pub struct StepLimited {
     /// `rscn_tOv`, in s.
     pub t_ovr_hd: f64,
-    /// `tOv_diff_tIn`, in no unit.
+    /// `tOv_diff_tIn`, a number.
     pub dt_ovr_hd_dt_in: f64,
 }
 
@@ -26,7 +26,7 @@ pub struct StepLimited {
 /// # Inputs
 ///
 /// - `t_in` (`tIn`), in s: time of the ramp in
-/// - `delta` (`delta`), in s^2: step by largest acceleration of the step axis, d2Step/a2Max
+/// - `delta`, in s^2: step by largest acceleration of the step axis, d2Step/a2Max
 /// - `v1_diff` (`v1Diff`), in m/s: what the scan axis loses in the ramp in
 /// - `v1_scan` (`v1Scan`), in m/s: velocity of the scan axis on the line
 ///
@@ -40,7 +40,7 @@ pub struct StepLimited {
 /// - `v1Diff >= 0`
 /// - `v1Scan > v1Diff`
 ///
-/// At the edges: tIn*v1Diff/(3*v1Scan) where 3*delta = tIn^2, the step of the ramps in alone; the step axis sets the time where t_edge, which needs a1Max too, is not negative.
+/// At the edges: tIn\*v1Diff/(3\*v1Scan) where 3\*delta = tIn^2, the step of the ramps in alone; the step axis sets the time where t_edge, which needs a1Max too, is not negative.
 ///
 /// # Error
 ///
@@ -104,7 +104,7 @@ pub fn step_limited(
 /// # Inputs
 ///
 /// - `t_in` (`tIn`), in s: time of the ramp in
-/// - `delta` (`delta`), in s^2: step by largest acceleration of the step axis, d2Step/a2Max
+/// - `delta`, in s^2: step by largest acceleration of the step axis, d2Step/a2Max
 /// - `v1_scan` (`v1Scan`), in m/s: velocity of the scan axis on the line
 /// - `v1_diff` (`v1Diff`), in m/s: what the scan axis loses in the ramp in
 /// - `a1_max` (`a1Max`), in m/s^2: largest acceleration of the scan axis
@@ -121,7 +121,7 @@ pub fn step_limited(
 /// - `2*v1Diff <= a1Max*tIn`
 /// - `3*delta*(2*v1Diff+a1Max*tIn)^2 >= tIn^2*(a1Max*tIn+2*v1Scan)*(a1Max*tIn+4*v1Scan-2*v1Diff)`
 ///
-/// At the edges: 0 where 3*delta = (tIn+tOut)*(tIn+2*tOut), the last condition, with the tOut of the scan axis.
+/// At the edges: 0 where 3\*delta = (tIn+tOut)\*(tIn+2\*tOut), the last condition, with the tOut of the scan axis.
 ///
 /// # Error
 ///
@@ -177,7 +177,7 @@ pub fn t_edge(
 /// # Inputs
 ///
 /// - `t_in` (`tIn`), in s: time of the ramp in
-/// - `delta` (`delta`), in s^2: step by largest acceleration of the step axis, d2Step/a2Max
+/// - `delta`, in s^2: step by largest acceleration of the step axis, d2Step/a2Max
 /// - `v1_scan` (`v1Scan`), in m/s: velocity of the scan axis on the line
 /// - `a1_max` (`a1Max`), in m/s^2: largest acceleration of the scan axis
 ///
@@ -193,7 +193,7 @@ pub fn t_edge(
 /// - `3*a1Max^2*delta <= (a1Max*tIn+2*v1Scan)*(a1Max*tIn+4*v1Scan)`
 /// - `3*a1Max^2*delta >= v1Scan*(a1Max*tIn+2*v1Scan)`
 ///
-/// At the edges: 0 where the step is so large that the last but one condition is an equality, a1Max*tIn/2 where the last one is, v1Scan where 3*delta tends to tIn^2.
+/// At the edges: 0 where the step is so large that the last but one condition is an equality, a1Max\*tIn/2 where the last one is, v1Scan where 3\*delta tends to tIn^2.
 ///
 /// # Error
 ///
@@ -237,7 +237,7 @@ pub fn v1_diff(
 pub struct ScanLimited {
     /// `tOvrHd_tE0`, in s.
     pub t_ovr_hd: f64,
-    /// `dtOvrHd_tE0_dtIn`, in no unit.
+    /// `dtOvrHd_tE0_dtIn`, a number.
     pub dt_ovr_hd_dt_in: f64,
 }
 
@@ -265,12 +265,12 @@ pub struct ScanLimited {
 /// - `a1Max > 0`
 /// - `2*v1Diff <= a1Max*tIn`
 ///
-/// At the edges: 2*v1Scan/a1Max and 0 at v1Diff = 0.
+/// At the edges: 2\*v1Scan/a1Max and 0 at v1Diff = 0.
 ///
 /// # Error
 ///
-/// - `t_ovr_hd`: at most 3.01 ulp, barring overflow and underflow
-/// - `dt_ovr_hd_dt_in`: at most 3.01 ulp, barring overflow and underflow
+/// - `t_ovr_hd`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `dt_ovr_hd_dt_in`: at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: second numbering 1.2.1 %o235, %o236.
 #[kernel(
@@ -351,8 +351,8 @@ pub struct D1OutGradient {
 ///
 /// # Error
 ///
-/// - `dd1_out_dv1_diff`: at most 3.01 ulp, barring overflow and underflow
-/// - `dd1_out_dt_in`: at most 3.01 ulp, barring overflow and underflow
+/// - `dd1_out_dv1_diff`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `dd1_out_dt_in`: at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: second numbering 1.3 %o240.
 #[kernel(

@@ -13,10 +13,10 @@ use closedform::kernel;
 ///
 /// # Inputs
 ///
-/// - `a0` (`a0`), in m/s^2: acceleration at the start
-/// - `a1` (`a1`), in m/s^2: acceleration at the end
-/// - `t1` (`t1`), in s: time the segment takes
-/// - `t` (`t`), in s: time since the start of the segment
+/// - `a0`, in m/s^2: acceleration at the start
+/// - `a1`, in m/s^2: acceleration at the end
+/// - `t1`, in s: time the segment takes
+/// - `t`, in s: time since the start of the segment
 ///
 /// # Domain
 ///
@@ -30,7 +30,7 @@ use closedform::kernel;
 ///
 /// # Error
 ///
-/// - at most 2.01 ulp, barring overflow and underflow
+/// - at most 2.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 1.1 %o4.
 #[kernel(
@@ -66,11 +66,11 @@ pub fn acceleration_at(
 ///
 /// # Inputs
 ///
-/// - `v0` (`v0`), in m/s: velocity at the start
-/// - `a0` (`a0`), in m/s^2: acceleration at the start
-/// - `a1` (`a1`), in m/s^2: acceleration at the end
-/// - `t1` (`t1`), in s: time the segment takes
-/// - `t` (`t`), in s: time since the start of the segment
+/// - `v0`, in m/s: velocity at the start
+/// - `a0`, in m/s^2: acceleration at the start
+/// - `a1`, in m/s^2: acceleration at the end
+/// - `t1`, in s: time the segment takes
+/// - `t`, in s: time since the start of the segment
 ///
 /// # Domain
 ///
@@ -82,7 +82,7 @@ pub fn acceleration_at(
 ///
 /// # Error
 ///
-/// - at most 2.01 ulp, barring overflow and underflow
+/// - at most 2.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 1.1 %o5.
 #[kernel(
@@ -117,12 +117,12 @@ pub fn velocity_at(
 ///
 /// # Inputs
 ///
-/// - `x0` (`x0`), in m: position at the start
-/// - `v0` (`v0`), in m/s: velocity at the start
-/// - `a0` (`a0`), in m/s^2: acceleration at the start
-/// - `a1` (`a1`), in m/s^2: acceleration at the end
-/// - `t1` (`t1`), in s: time the segment takes
-/// - `t` (`t`), in s: time since the start of the segment
+/// - `x0`, in m: position at the start
+/// - `v0`, in m/s: velocity at the start
+/// - `a0`, in m/s^2: acceleration at the start
+/// - `a1`, in m/s^2: acceleration at the end
+/// - `t1`, in s: time the segment takes
+/// - `t`, in s: time since the start of the segment
 ///
 /// # Domain
 ///
@@ -134,7 +134,7 @@ pub fn velocity_at(
 ///
 /// # Error
 ///
-/// - at most 3.01 ulp, barring overflow and underflow
+/// - at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 1.1 %o6.
 #[kernel(
@@ -182,11 +182,11 @@ pub struct BoundaryAccelerations {
 ///
 /// # Inputs
 ///
-/// - `x0` (`x0`), in m: position at the start
-/// - `v0` (`v0`), in m/s: velocity at the start
-/// - `x1` (`x1`), in m: position at the end
-/// - `v1` (`v1`), in m/s: velocity at the end
-/// - `t1` (`t1`), in s: time the segment takes
+/// - `x0`, in m: position at the start
+/// - `v0`, in m/s: velocity at the start
+/// - `x1`, in m: position at the end
+/// - `v1`, in m/s: velocity at the end
+/// - `t1`, in s: time the segment takes
 ///
 /// # Domain
 ///
@@ -196,8 +196,8 @@ pub struct BoundaryAccelerations {
 ///
 /// # Error
 ///
-/// - `a0`: at most 3.01 ulp, barring overflow and underflow
-/// - `a1`: at most 3.01 ulp, barring overflow and underflow
+/// - `a0`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `a1`: at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 1.2 %o16, %o17.
 #[kernel(
@@ -248,15 +248,15 @@ pub struct ArrivalFirst {
 /// s_a1_2(x0,v0,x1,v1,a0):=((v1-v0)*sqrt(6*a0*x1-6*a0*x0+v1^2+4*v0*v1+4*v0^2)-3*a0*x1+3*a0*x0+v1^2+v0*v1-2*v0^2)/(3*x1-3*x0)
 /// ```
 ///
-/// Branch: the root with a0*t1+v1+2*v0 >= 0; for a move backward (x1 < x0) it is the last arrival, arrival_last the first.
+/// Branch: the root with a0\*t1+v1+2\*v0 >= 0; for a move backward (x1 < x0) it is the last arrival, arrival_last the first.
 ///
 /// # Inputs
 ///
-/// - `x0` (`x0`), in m: position at the start
-/// - `v0` (`v0`), in m/s: velocity at the start
-/// - `x1` (`x1`), in m: position at the end
-/// - `v1` (`v1`), in m/s: velocity at the end
-/// - `a0` (`a0`), in m/s^2: acceleration at the start
+/// - `x0`, in m: position at the start
+/// - `v0`, in m/s: velocity at the start
+/// - `x1`, in m: position at the end
+/// - `v1`, in m/s: velocity at the end
+/// - `a0`, in m/s^2: acceleration at the start
 ///
 /// # Domain
 ///
@@ -266,7 +266,7 @@ pub struct ArrivalFirst {
 /// - `a0 # 0 or v1+2*v0 > 0`
 /// - `(v1+2*v0)^2+6*a0*(x1-x0) >= 0`
 ///
-/// At the edges: t1 > 0 for x1 > x0 where v1+2*v0 > 0 or a0 > 0, and for x1 < x0 where v1+2*v0 < 0 and a0 > 0; elsewhere t1 < 0, a solution in the past; where the root is 0 both arrivals are one, t1 = -(v1+2*v0)/a0; a0 = 0 is regular, t1 = 3*(x1-x0)/(v1+2*v0).
+/// At the edges: t1 > 0 for x1 > x0 where v1+2\*v0 > 0 or a0 > 0, and for x1 < x0 where v1+2\*v0 < 0 and a0 > 0; elsewhere t1 < 0, a solution in the past; where the root is 0 both arrivals are one, t1 = -(v1+2\*v0)/a0; a0 = 0 is regular, t1 = 3\*(x1-x0)/(v1+2\*v0).
 ///
 /// # Error
 ///
@@ -334,15 +334,15 @@ pub struct ArrivalLast {
 /// s_a1_1(x0,v0,x1,v1,a0):=-((v1-v0)*sqrt(6*a0*x1-6*a0*x0+v1^2+4*v0*v1+4*v0^2)+3*a0*x1-3*a0*x0-v1^2-v0*v1+2*v0^2)/(3*x1-3*x0)
 /// ```
 ///
-/// Branch: the root with a0*t1+v1+2*v0 <= 0; for a move backward (x1 < x0) it is the first arrival, arrival_first the last.
+/// Branch: the root with a0\*t1+v1+2\*v0 <= 0; for a move backward (x1 < x0) it is the first arrival, arrival_first the last.
 ///
 /// # Inputs
 ///
-/// - `x0` (`x0`), in m: position at the start
-/// - `v0` (`v0`), in m/s: velocity at the start
-/// - `x1` (`x1`), in m: position at the end
-/// - `v1` (`v1`), in m/s: velocity at the end
-/// - `a0` (`a0`), in m/s^2: acceleration at the start
+/// - `x0`, in m: position at the start
+/// - `v0`, in m/s: velocity at the start
+/// - `x1`, in m: position at the end
+/// - `v1`, in m/s: velocity at the end
+/// - `a0`, in m/s^2: acceleration at the start
 ///
 /// # Domain
 ///
@@ -352,7 +352,7 @@ pub struct ArrivalLast {
 /// - `a0 # 0 or v1+2*v0 < 0`
 /// - `(v1+2*v0)^2+6*a0*(x1-x0) >= 0`
 ///
-/// At the edges: t1 > 0 for x1 > x0 where v1+2*v0 > 0 and a0 < 0, and for x1 < x0 where v1+2*v0 < 0 or a0 < 0; elsewhere t1 < 0, a solution in the past; where the root is 0 both arrivals are one, t1 = -(v1+2*v0)/a0; a0 = 0 is regular, t1 = 3*(x1-x0)/(v1+2*v0).
+/// At the edges: t1 > 0 for x1 > x0 where v1+2\*v0 > 0 and a0 < 0, and for x1 < x0 where v1+2\*v0 < 0 or a0 < 0; elsewhere t1 < 0, a solution in the past; where the root is 0 both arrivals are one, t1 = -(v1+2\*v0)/a0; a0 = 0 is regular, t1 = 3\*(x1-x0)/(v1+2\*v0).
 ///
 /// # Error
 ///
@@ -424,8 +424,8 @@ pub struct TurnOut {
 ///
 /// # Inputs
 ///
-/// - `v0` (`v0`), in m/s: velocity at the start
-/// - `a1` (`a1`), in m/s^2: acceleration at the end
+/// - `v0`, in m/s: velocity at the start
+/// - `a1`, in m/s^2: acceleration at the end
 ///
 /// # Domain
 ///
@@ -438,8 +438,8 @@ pub struct TurnOut {
 ///
 /// # Error
 ///
-/// - `t_out`: at most 0.5 ulp, barring overflow and underflow
-/// - `d1_out`: at most 3 ulp, barring overflow and underflow
+/// - `t_out`: at most 0.5 ulp, barring overflow and underflow of the result
+/// - `d1_out`: at most 3 ulp, barring overflow and underflow of the result
 ///
 /// From: 1.2.1 %o23, %o24.
 #[kernel(
@@ -487,12 +487,12 @@ pub struct MinJerkSegment {
 ///
 /// # Inputs
 ///
-/// - `x0` (`x0`), in m: position at the start
-/// - `v0` (`v0`), in m/s: velocity at the start
-/// - `x1` (`x1`), in m: position at the end
-/// - `v1` (`v1`), in m/s: velocity at the end
-/// - `ai` (`ai`), in m/s^2: acceleration wanted at the start
-/// - `af` (`af`), in m/s^2: acceleration wanted at the end
+/// - `x0`, in m: position at the start
+/// - `v0`, in m/s: velocity at the start
+/// - `x1`, in m: position at the end
+/// - `v1`, in m/s: velocity at the end
+/// - `ai`, in m/s^2: acceleration wanted at the start
+/// - `af`, in m/s^2: acceleration wanted at the end
 ///
 /// # Domain
 ///
@@ -504,8 +504,8 @@ pub struct MinJerkSegment {
 ///
 /// # Error
 ///
-/// - `t1`: at most 3 ulp, barring overflow and underflow
-/// - `delta_a`: at most 3.01 ulp, barring overflow and underflow
+/// - `t1`: at most 3 ulp, barring overflow and underflow of the result
+/// - `delta_a`: at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 1.3 eqSngMinJrk (not shown).
 #[kernel(
@@ -563,9 +563,9 @@ pub struct ConstantAcceleration {
 ///
 /// # Inputs
 ///
-/// - `v0` (`v0`), in m/s: velocity at the start
+/// - `v0`, in m/s: velocity at the start
 /// - `d_v` (`dV`), in m/s: change of velocity over the segment
-/// - `t1` (`t1`), in s: time the segment takes
+/// - `t1`, in s: time the segment takes
 ///
 /// # Domain
 ///
@@ -575,8 +575,8 @@ pub struct ConstantAcceleration {
 ///
 /// # Error
 ///
-/// - `a`: at most 0.5 ulp, barring overflow and underflow
-/// - `d_x`: at most 2 ulp, barring overflow and underflow
+/// - `a`: at most 0.5 ulp, barring overflow and underflow of the result
+/// - `d_x`: at most 2 ulp, barring overflow and underflow of the result
 ///
 /// From: 1.4 eqSngAcc (not shown).
 #[kernel(

@@ -37,8 +37,8 @@ pub struct AsymmetricReturn {
 /// - `a1_max` (`a1Max`), in m/s^2: acceleration at the start, and minus that after t_edge1
 /// - `t_edge` (`tEdge`), in s: time of the two segments that step in for the rest
 /// - `t_out` (`tOut`), in s: time of the third segment
-/// - `a3` (`a3`), in m/s^2: acceleration at the end of the third segment
-/// - `v3` (`v3`), in m/s: velocity at the end of the third segment
+/// - `a3`, in m/s^2: acceleration at the end of the third segment
+/// - `v3`, in m/s: velocity at the end of the third segment
 /// - `d1_out` (`d1Out`), in m: distance of the three segments together
 ///
 /// # Domain
@@ -50,17 +50,17 @@ pub struct AsymmetricReturn {
 /// - `tOut > 0`
 /// - `4*tOut*v3+2*tEdge*v3-a3*tOut^2-(a1Max+a3)*tEdge*tOut-a1Max*tEdge^2-6*d1Out > 0 and 2*v3-(a1Max+a3)*tOut-2*a1Max*tEdge > 0 and 4*tOut*v3-a3*tOut^2+a1Max*tEdge^2-6*d1Out < 0 or 4*tOut*v3+2*tEdge*v3-a3*tOut^2-(a1Max+a3)*tEdge*tOut-a1Max*tEdge^2-6*d1Out < 0 and 2*v3-(a1Max+a3)*tOut-2*a1Max*tEdge < 0 and 4*tOut*v3-a3*tOut^2+a1Max*tEdge^2-6*d1Out > 0`
 ///
-/// At the edges: the domain is 0 < t_edge1 < tEdge; a2 passes a1Max wherever 2*v3 > (a1Max+a3)*tOut, and may pass -a1Max; with v3 and d1Out of a segment from a1Max to a3 the path is symmetric, t_edge1 = tEdge/2.
+/// At the edges: the domain is 0 < t_edge1 < tEdge; a2 passes a1Max wherever 2\*v3 > (a1Max+a3)\*tOut, and may pass -a1Max; with v3 and d1Out of a segment from a1Max to a3 the path is symmetric, t_edge1 = tEdge/2.
 ///
 /// # Error
 ///
-/// - `a2`: at most 3.01 ulp, barring overflow and underflow
-/// - `t_edge1`: at most 3.01 ulp, barring overflow and underflow
-/// - `d1_edge1`: at most 3.01 ulp, barring overflow and underflow
-/// - `d1_edge2`: at most 3.01 ulp, barring overflow and underflow
-/// - `v1_edge2`: at most 3.01 ulp, barring overflow and underflow
+/// - `a2`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `t_edge1`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `d1_edge1`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `d1_edge2`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `v1_edge2`: at most 3.01 ulp, barring overflow and underflow of the result
 ///
-/// From: third numbering 3, sln_Ax1Asym[3].
+/// From: third numbering 3, sln_Ax1Asym\[3].
 #[kernel(
     family = "return_path",
     maxima = "Ax1Asym3_a2(a1Max,tEdge,tOut,a3,v3,d1Out):=-(4*v3^2-4*a3*tOut*v3-6*a1Max*tOut*v3-4*a1Max*tEdge*v3+a3^2*tOut^2+2*a1Max*a3*tOut^2+2*a1Max*a3*tEdge*tOut-a1Max^2*tEdge^2+6*a1Max*d1Out)/(2*tOut*v3+a1Max*tOut^2+2*a1Max*tEdge*tOut+a1Max*tEdge^2-6*d1Out)\nAx1Asym3_tEdge1(a1Max,tEdge,tOut,a3,v3,d1Out):=(4*tOut*v3+2*tEdge*v3-a3*tOut^2-a3*tEdge*tOut-a1Max*tEdge*tOut-a1Max*tEdge^2-6*d1Out)/(2*v3-a3*tOut-a1Max*tOut-2*a1Max*tEdge)\nAx1Asym3_d1Edge1(a1Max,tEdge,tOut,a3,v3,d1Out):=a1Max*(4*tOut*v3+2*tEdge*v3-a3*tOut^2-a3*tEdge*tOut-a1Max*tEdge*tOut-a1Max*tEdge^2-6*d1Out)^2/(6*(2*v3-a3*tOut-a1Max*tOut-2*a1Max*tEdge)^2)\nAx1Asym3_d1Edge2(a1Max,tEdge,tOut,a3,v3,d1Out):=-((4*tOut*v3-a3*tOut^2+a1Max*tEdge^2-6*d1Out)^2*(4*v3^2-4*a3*tOut*v3-2*a1Max*tOut*v3-4*a1Max*tEdge*v3+a3^2*tOut^2+2*a1Max*a3*tOut^2+2*a1Max^2*tOut^2+2*a1Max*a3*tEdge*tOut+4*a1Max^2*tEdge*tOut+a1Max^2*tEdge^2-6*a1Max*d1Out))/(6*(2*v3-a3*tOut-a1Max*tOut-2*a1Max*tEdge)^2*(2*tOut*v3+a1Max*tOut^2+2*a1Max*tEdge*tOut+a1Max*tEdge^2-6*d1Out))\nAx1Asym3_v1Edge2(a1Max,tEdge,tOut,a3,v3,d1Out):=(2*v3-a3*tOut-a1Max*tOut)*(4*tOut*v3-a3*tOut^2+a1Max*tEdge^2-6*d1Out)/(2*(2*tOut*v3+a1Max*tOut^2+2*a1Max*tEdge*tOut+a1Max*tEdge^2-6*d1Out))",

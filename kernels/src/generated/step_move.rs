@@ -25,8 +25,8 @@ pub struct RampFromRest {
 ///
 /// # Inputs
 ///
-/// - `x0` (`x0`), in m: distance of the ramp from rest
-/// - `v0` (`v0`), in m/s: velocity after the ramp from rest
+/// - `x0`, in m: distance of the ramp from rest
+/// - `v0`, in m/s: velocity after the ramp from rest
 ///
 /// # Domain
 ///
@@ -37,8 +37,8 @@ pub struct RampFromRest {
 ///
 /// # Error
 ///
-/// - `t0`: at most 2 ulp, barring overflow and underflow
-/// - `a00`: at most 3 ulp, barring overflow and underflow
+/// - `t0`: at most 2 ulp, barring overflow and underflow of the result
+/// - `a00`: at most 3 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.1.1 t0F, a0F.
 #[kernel(
@@ -96,9 +96,9 @@ pub struct QuarterMove {
 ///
 /// # Inputs
 ///
-/// - `x4` (`x4`), in m: whole travel
-/// - `a3` (`a3`), in m/s^2: acceleration with which the settling begins, negative
-/// - `t1` (`t1`), in s: time of the second and of the third segment
+/// - `x4`, in m: whole travel
+/// - `a3`, in m/s^2: acceleration with which the settling begins, negative
+/// - `t1`, in s: time of the second and of the third segment
 ///
 /// # Domain
 ///
@@ -110,7 +110,7 @@ pub struct QuarterMove {
 /// - `3*x4+5*a3*t1^2 > 0`
 /// - `(3*x4+5*a3*t1^2)^2+54*a3*x4*t1^2 > 0`
 ///
-/// At the edges: the last two conditions are a0 > 0, that is t1*sqrt(-a3/x4) < (sqrt(114)-3*sqrt(6))/10 = 0.3329; the formulas hold without them, but the peak is then not after x0; the acceleration jumps at x0 from ramp_from_rest's a00 to a0.
+/// At the edges: the last two conditions are a0 > 0, that is t1\*sqrt(-a3/x4) < (sqrt(114)-3\*sqrt(6))/10 = 0.3329; the formulas hold without them, but the peak is then not after x0; the acceleration jumps at x0 from ramp_from_rest's a00 to a0.
 ///
 /// # Error
 ///
@@ -172,21 +172,21 @@ pub fn quarter_move(
 /// What [`continuous_move`](fn@continuous_move) returns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContinuousMove {
-    /// `a4VO2_kv0`, in no unit.
+    /// `a4VO2_kv0`, a number.
     pub kv0: f64,
-    /// `a4VO2_kv3`, in no unit.
+    /// `a4VO2_kv3`, a number.
     pub kv3: f64,
-    /// `a4VO2_kt4`, in no unit.
+    /// `a4VO2_kt4`, a number.
     pub kt4: f64,
-    /// `a4VO2_ka0`, in no unit.
+    /// `a4VO2_ka0`, a number.
     pub ka0: f64,
-    /// `a4VO2_ka3`, in no unit.
+    /// `a4VO2_ka3`, a number.
     pub ka3: f64,
-    /// `a4VO2_kx1`, in no unit.
+    /// `a4VO2_kx1`, a number.
     pub kx1: f64,
 }
 
-/// The step whose acceleration is continuous, by its fractions Ki and Ko, in units of the whole travel x4 and the time t1: velocities v0 = kv0*x4/t1 and v3 = kv3*x4/t1, time t4 = kt4*t1, accelerations a0 = ka0*x4/t1^2 and a3 = -ka3*x4/t1^2, and x1 = kx1*x4.
+/// The step whose acceleration is continuous, by its fractions Ki and Ko, in units of the whole travel x4 and the time t1: velocities v0 = kv0\*x4/t1 and v3 = kv3\*x4/t1, time t4 = kt4\*t1, accelerations a0 = ka0\*x4/t1^2 and a3 = -ka3\*x4/t1^2, and x1 = kx1\*x4.
 ///
 /// ```text
 /// a4VO2_kv0(Ki,Ko):=-(3*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+6*Ki*Ko+15*Ki^2-30*Ki)/(2*Ko+50*Ki)
@@ -197,12 +197,12 @@ pub struct ContinuousMove {
 /// a4VO2_kx1(Ki,Ko):=((Ko-65*Ki-20)*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+(2*Ki+2)*Ko^2+(-101*Ki^2+4*Ki-4)*Ko+275*Ki^3+650*Ki^2+100*Ki)/(2*Ko^2+100*Ki*Ko+1250*Ki^2)
 /// ```
 ///
-/// Branch: a4VO2[2]; a4VO2[1] has v3 < 0 wherever its square root is real.
+/// Branch: a4VO2\[2]; a4VO2\[1] has v3 < 0 wherever its square root is real.
 ///
 /// # Inputs
 ///
-/// - `ki` (`Ki`), in no unit: twice the travel of the first segment, as a fraction of the whole
-/// - `ko` (`Ko`), in no unit: twice the travel of the last segment, as a fraction of the whole
+/// - `ki` (`Ki`): twice the travel of the first segment, as a fraction of the whole
+/// - `ko` (`Ko`): twice the travel of the last segment, as a fraction of the whole
 ///
 /// # Domain
 ///
@@ -213,7 +213,7 @@ pub struct ContinuousMove {
 /// - `Ki+Ko < 2`
 /// - `Ko+6*Ki > 2`
 ///
-/// At the edges: as Ko falls to 2-6*Ki, kv3 and ka3 tend to 0 and kt4 grows without limit; as Ki+Ko tends to 2, x0 and x3 meet.
+/// At the edges: as Ko falls to 2-6\*Ki, kv3 and ka3 tend to 0 and kt4 grows without limit; as Ki+Ko tends to 2, x0 and x3 meet.
 ///
 /// # Error
 ///
@@ -224,7 +224,7 @@ pub struct ContinuousMove {
 /// - `ka3`: at most 0.51 ulp, barring overflow and underflow of the result
 /// - `kx1`: at most 0.51 ulp, barring overflow and underflow of the result
 ///
-/// From: 4.3 a4VO2[2] (not shown).
+/// From: 4.3 a4VO2\[2] (not shown).
 #[kernel(
     family = "step_move",
     maxima = "a4VO2_kv0(Ki,Ko):=-(3*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+6*Ki*Ko+15*Ki^2-30*Ki)/(2*Ko+50*Ki)\na4VO2_kv3(Ki,Ko):=(15*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)-3*Ko^2+(6-48*Ki)*Ko)/(2*Ko+50*Ki)\na4VO2_kt4(Ki,Ko):=-(5*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+Ko^2+(16*Ki-2)*Ko)/(Ko^2+(7*Ki-4)*Ko+6*Ki^2-14*Ki+4)\na4VO2_ka0(Ki,Ko):=((12*Ko+30*Ki-60)*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+(21*Ki+6)*Ko^2+(42*Ki^2-78*Ki-12)*Ko+75*Ki^3-300*Ki^2+300*Ki)/(Ko^2+50*Ki*Ko+625*Ki^2)\na4VO2_ka3(Ki,Ko):=-((30*Ko+480*Ki-60)*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)-3*Ko^3+(12-96*Ki)*Ko^2+(-993*Ki^2+42*Ki-12)*Ko+450*Ki^3-1050*Ki^2+300*Ki)/(Ko^2+50*Ki*Ko+625*Ki^2)\na4VO2_kx1(Ki,Ko):=((Ko-65*Ki-20)*sqrt((3*Ki^2+2*Ki)*Ko^2+(-6*Ki^3+14*Ki^2-4*Ki)*Ko)+(2*Ki+2)*Ko^2+(-101*Ki^2+4*Ki-4)*Ko+275*Ki^3+650*Ki^2+100*Ki)/(2*Ko^2+100*Ki*Ko+1250*Ki^2)",
@@ -320,19 +320,19 @@ pub fn continuous_move(
 /// What [`symmetric_frame`](fn@symmetric_frame) returns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SymmetricFrame {
-    /// `a4VO22_kt4`, in no unit.
+    /// `a4VO22_kt4`, a number.
     pub kt4: f64,
-    /// `a4VO22_kx1`, in no unit.
+    /// `a4VO22_kx1`, a number.
     pub kx1: f64,
-    /// `a4VO22_kv0`, in no unit.
+    /// `a4VO22_kv0`, a number.
     pub kv0: f64,
-    /// `a4VO22_kv3`, in no unit.
+    /// `a4VO22_kv3`, a number.
     pub kv3: f64,
-    /// `a4VO22_ka0`, in no unit.
+    /// `a4VO22_ka0`, a number.
     pub ka0: f64,
-    /// `a4VO22_ka3`, in no unit.
+    /// `a4VO22_ka3`, a number.
     pub ka3: f64,
-    /// `a4VO22_Ko`, in no unit.
+    /// `a4VO22_Ko`, a number.
     pub ko: f64,
 }
 
@@ -352,7 +352,7 @@ pub struct SymmetricFrame {
 ///
 /// # Inputs
 ///
-/// - `ki` (`Ki`), in no unit: twice the travel of the first segment, as a fraction of the whole
+/// - `ki` (`Ki`): twice the travel of the first segment, as a fraction of the whole
 ///
 /// # Domain
 ///
@@ -365,13 +365,13 @@ pub struct SymmetricFrame {
 ///
 /// # Error
 ///
-/// - `kt4`: at most 2 ulp, barring overflow and underflow
-/// - `kx1`: at most 2.01 ulp, barring overflow and underflow
-/// - `kv0`: at most 0.51 ulp, barring overflow and underflow
-/// - `kv3`: at most 3.01 ulp, barring overflow and underflow
-/// - `ka0`: at most 2.01 ulp, barring overflow and underflow
-/// - `ka3`: at most 3.01 ulp, barring overflow and underflow
-/// - `ko`: at most 3.01 ulp, barring overflow and underflow
+/// - `kt4`: at most 2 ulp, barring overflow and underflow of the result
+/// - `kx1`: at most 2.01 ulp, barring overflow and underflow of the result
+/// - `kv0`: at most 0.51 ulp, barring overflow and underflow of the result
+/// - `kv3`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `ka0`: at most 2.01 ulp, barring overflow and underflow of the result
+/// - `ka3`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `ko`: at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.4 a4VO22.
 #[kernel(
@@ -459,7 +459,7 @@ pub struct SymmetricFrameStep {
 ///
 /// # Inputs
 ///
-/// - `ki` (`Ki`), in no unit: twice the travel of the first segment, as a fraction of the whole
+/// - `ki` (`Ki`): twice the travel of the first segment, as a fraction of the whole
 /// - `t_out` (`tOut`), in s: time of the second and of the third segment
 /// - `d2_step` (`d2Step`), in m: whole travel
 ///
@@ -476,14 +476,14 @@ pub struct SymmetricFrameStep {
 ///
 /// # Error
 ///
-/// - `t_ie_skip`: at most 3 ulp, barring overflow and underflow
-/// - `d2_in`: at most 0.5 ulp, barring overflow and underflow
-/// - `d2_out`: at most 2.01 ulp, barring overflow and underflow
-/// - `ax2_entry`: at most 3.01 ulp, barring overflow and underflow
-/// - `v2_in`: at most 2.01 ulp, barring overflow and underflow
-/// - `v2_out`: at most 3.01 ulp, barring overflow and underflow
-/// - `a2_max`: at most 3.01 ulp, barring overflow and underflow
-/// - `a3`: at most 3.01 ulp, barring overflow and underflow
+/// - `t_ie_skip`: at most 3 ulp, barring overflow and underflow of the result
+/// - `d2_in`: at most 0.5 ulp, barring overflow and underflow of the result
+/// - `d2_out`: at most 2.01 ulp, barring overflow and underflow of the result
+/// - `ax2_entry`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `v2_in`: at most 2.01 ulp, barring overflow and underflow of the result
+/// - `v2_out`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `a2_max`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `a3`: at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.4.1 ax2_A4VT.
 #[kernel(
@@ -568,7 +568,7 @@ pub fn symmetric_frame_step(
 ///
 /// # Error
 ///
-/// - at most 2 ulp, barring overflow and underflow
+/// - at most 2 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.4.1 ax2_tIn.
 #[kernel(
@@ -615,7 +615,7 @@ pub fn ki_of_t_ie_skip(
 ///
 /// # Error
 ///
-/// - at most 2 ulp, barring overflow and underflow
+/// - at most 2 ulp, barring overflow and underflow of the result
 ///
 /// From: 4.4.1 Ki_c.
 #[kernel(

@@ -12,7 +12,7 @@ pub struct OuterRamp {
     pub t0: f64,
     /// `s5S2_v0`, in m/s.
     pub v0: f64,
-    /// `s5S2_K`, in no unit.
+    /// `s5S2_K`, a number.
     pub k: f64,
 }
 
@@ -28,9 +28,9 @@ pub struct OuterRamp {
 ///
 /// # Inputs
 ///
-/// - `t2` (`t2`), in s: time at constant velocity in the middle
-/// - `t3` (`t3`), in s: time of each inner ramp, between the largest acceleration and none
-/// - `a0` (`a0`), in m/s^2: largest acceleration
+/// - `t2`, in s: time at constant velocity in the middle
+/// - `t3`, in s: time of each inner ramp, between the largest acceleration and none
+/// - `a0`, in m/s^2: largest acceleration
 /// - `delta_x` (`DeltaX`), in m: whole travel, the constant velocity segment included
 ///
 /// # Domain
@@ -43,7 +43,7 @@ pub struct OuterRamp {
 /// - `DeltaX > 0`
 /// - `6*DeltaX > a0*t3*(4*t3+3*t2)`
 ///
-/// At the edges: t0, v0 and K tend to 0 as DeltaX falls to what the inner ramps and t2 travel alone, a0*t3*(4*t3+3*t2)/6.
+/// At the edges: t0, v0 and K tend to 0 as DeltaX falls to what the inner ramps and t2 travel alone, a0\*t3\*(4\*t3+3\*t2)/6.
 ///
 /// # Error
 ///
@@ -51,7 +51,7 @@ pub struct OuterRamp {
 /// - `v0`: at most 0.51 ulp, barring overflow and underflow of the result
 /// - `k`: at most 0.51 ulp, barring overflow and underflow of the result
 ///
-/// From: 2.3 s5S2[2].
+/// From: 2.3 s5S2\[2].
 #[kernel(
     family = "turnaround",
     maxima = "s5S2_t0(t2,t3,a0,DeltaX):=(sqrt(4*a0^2*t3^2+12*a0^2*t2*t3+9*a0^2*t2^2+48*DeltaX*a0)-6*a0*t3-3*a0*t2)/(4*a0)\ns5S2_v0(t2,t3,a0,DeltaX):=(sqrt(4*a0^2*t3^2+12*a0^2*t2*t3+9*a0^2*t2^2+48*DeltaX*a0)-6*a0*t3-3*a0*t2)/8\ns5S2_K(t2,t3,a0,DeltaX):=(2*a0^2*t2*t3^3+sqrt(4*a0^2*t3^2+12*a0^2*t2*t3+9*a0^2*t2^2+48*DeltaX*a0)*(a0*t2*t3^2-6*DeltaX*t3)+(3*a0^2*t2^2+20*DeltaX*a0)*t3^2-6*DeltaX*a0*t2*t3+24*DeltaX^2)/(12*DeltaX*a0*t2*t3+24*DeltaX^2)",
@@ -112,7 +112,7 @@ pub struct InnerRamp {
     pub t3: f64,
     /// `s5S3_v0`, in m/s.
     pub v0: f64,
-    /// `s5S3_K`, in no unit.
+    /// `s5S3_K`, a number.
     pub k: f64,
 }
 
@@ -128,9 +128,9 @@ pub struct InnerRamp {
 ///
 /// # Inputs
 ///
-/// - `t0` (`t0`), in s: time of each outer ramp, between rest and the largest acceleration
-/// - `t2` (`t2`), in s: time at constant velocity in the middle
-/// - `a0` (`a0`), in m/s^2: largest acceleration
+/// - `t0`, in s: time of each outer ramp, between rest and the largest acceleration
+/// - `t2`, in s: time at constant velocity in the middle
+/// - `a0`, in m/s^2: largest acceleration
 /// - `delta_x` (`DeltaX`), in m: whole travel, the constant velocity segment included
 ///
 /// # Domain
@@ -143,7 +143,7 @@ pub struct InnerRamp {
 /// - `DeltaX > 0`
 /// - `6*DeltaX > a0*t0*(2*t0+3*t2)`
 ///
-/// At the edges: t3 tends to 0 and K to 1 as DeltaX falls to what the outer ramps and t2 travel alone, a0*t0*(2*t0+3*t2)/6.
+/// At the edges: t3 tends to 0 and K to 1 as DeltaX falls to what the outer ramps and t2 travel alone, a0\*t0\*(2\*t0+3\*t2)/6.
 ///
 /// # Error
 ///
@@ -151,7 +151,7 @@ pub struct InnerRamp {
 /// - `v0`: at most 0.51 ulp, barring overflow and underflow of the result
 /// - `k`: at most 0.51 ulp, barring overflow and underflow of the result
 ///
-/// From: 2.3 s5S3[1].
+/// From: 2.3 s5S3\[1].
 #[kernel(
     family = "turnaround",
     maxima = "s5S3_t3(t0,t2,a0,DeltaX):=(sqrt(9*a0^2*t2^2-12*a0^2*t0*t2+4*a0^2*t0^2+96*DeltaX*a0)-3*a0*t2-6*a0*t0)/(8*a0)\ns5S3_v0(t0,t2,a0,DeltaX):=a0*t0/2\ns5S3_K(t0,t2,a0,DeltaX):=-(a0*t0^2*t2*sqrt(9*a0^2*t2^2-12*a0^2*t0*t2+4*a0^2*t0^2+96*DeltaX*a0)+3*a0^2*t0^2*t2^2-2*a0^2*t0^3*t2+16*DeltaX*a0*t0^2)/(12*DeltaX*a0*t0*t2-48*DeltaX^2)",
@@ -219,11 +219,11 @@ pub fn inner_ramp(
 /// - `d2Step > 0`
 /// - `6*d2Step > a2Max*tOut*(4*tOut+3*tEdgeTotal)`
 ///
-/// At the edges: tends to 0 as the step shrinks to what the ramps out and tEdgeTotal travel alone, a2Max*tOut*(4*tOut+3*tEdgeTotal)/6.
+/// At the edges: tends to 0 as the step shrinks to what the ramps out and tEdgeTotal travel alone, a2Max\*tOut\*(4\*tOut+3\*tEdgeTotal)/6.
 ///
 /// # Error
 ///
-/// - at most 4.51 ulp, barring overflow and underflow
+/// - at most 4.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 %o50.
 #[kernel(
@@ -293,8 +293,8 @@ pub struct RampIn {
 ///
 /// # Error
 ///
-/// - `d2_in`: at most 3 ulp, barring overflow and underflow
-/// - `v2_in`: at most 0.5 ulp, barring overflow and underflow
+/// - `d2_in`: at most 3 ulp, barring overflow and underflow of the result
+/// - `v2_in`: at most 0.5 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 d2InEq, v2InEq.
 #[kernel(
@@ -356,8 +356,8 @@ pub struct RampOut {
 ///
 /// # Error
 ///
-/// - `d2_out`: at most 2.01 ulp, barring overflow and underflow
-/// - `v2_out`: at most 0.51 ulp, barring overflow and underflow
+/// - `d2_out`: at most 2.01 ulp, barring overflow and underflow of the result
+/// - `v2_out`: at most 0.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 d2OutEq, v2OutEq.
 #[kernel(
@@ -413,7 +413,7 @@ pub fn ramp_out(
 ///
 /// # Error
 ///
-/// - at most 2 ulp, barring overflow and underflow
+/// - at most 2 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 rscn_tIn_ax2.
 #[kernel(
@@ -456,7 +456,7 @@ pub fn t_in_of_d2_in(
 ///
 /// # Error
 ///
-/// - at most 3 ulp, barring overflow and underflow
+/// - at most 3 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 %o92.
 #[kernel(
@@ -484,12 +484,12 @@ pub fn a2_max_of_d2_in(
 /// tIn_of_tau(tau,delta,tEFSkip):=sqrt(tau^2+3*delta)-3*tau+3*tEFSkip/2
 /// ```
 ///
-/// Branch: the + root; the - root has no tIn + 3*tau - 3*tEFSkip/2 >= 0.
+/// Branch: the + root; the - root has no tIn + 3\*tau - 3\*tEFSkip/2 >= 0.
 ///
 /// # Inputs
 ///
-/// - `tau` (`tau`), in s: (2*t3+3*t2)/4 with t3 = tOut+tEdge/2, t2 = tEFSkip
-/// - `delta` (`delta`), in s^2: step by largest acceleration, d2Step/a2Max
+/// - `tau`, in s: (2\*t3+3\*t2)/4 with t3 = tOut+tEdge/2, t2 = tEFSkip
+/// - `delta`, in s^2: step by largest acceleration, d2Step/a2Max
 /// - `t_ef_skip` (`tEFSkip`), in s: time at constant velocity in the middle, where tEdge belongs to the ramps
 ///
 /// # Domain
@@ -501,11 +501,11 @@ pub fn a2_max_of_d2_in(
 /// - `tEFSkip >= 0`
 /// - `4*tau < 3*tEFSkip or 12*delta > (4*tau-3*tEFSkip)*(8*tau-3*tEFSkip)`
 ///
-/// At the edges: tends to 0 where 12*delta = (4*tau-3*tEFSkip)*(8*tau-3*tEFSkip) and 4*tau >= 3*tEFSkip; for 4*tau < 3*tEFSkip the formula holds, but the ramps out, t3 = (4*tau-3*tEFSkip)/2, would take a negative time.
+/// At the edges: tends to 0 where 12\*delta = (4\*tau-3\*tEFSkip)\*(8\*tau-3\*tEFSkip) and 4\*tau >= 3\*tEFSkip; for 4\*tau < 3\*tEFSkip the formula holds, but the ramps out, t3 = (4\*tau-3\*tEFSkip)/2, would take a negative time.
 ///
 /// # Error
 ///
-/// - at most 4.51 ulp, barring overflow and underflow
+/// - at most 4.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 Pre4CSegPlus (second parametrisation).
 #[kernel(
@@ -555,7 +555,7 @@ pub fn t_in_of_tau(
 ///
 /// - `t_in` (`tIn`), in s: time of the ramp in, from rest to the largest acceleration
 /// - `t_ef_skip` (`tEFSkip`), in s: time at constant velocity in the middle, where tEdge belongs to the ramps
-/// - `delta` (`delta`), in s^2: step by largest acceleration, d2Step/a2Max
+/// - `delta`, in s^2: step by largest acceleration, d2Step/a2Max
 ///
 /// # Domain
 ///
@@ -566,11 +566,11 @@ pub fn t_in_of_tau(
 /// - `delta > 0`
 /// - `2*tIn < 3*tEFSkip or 12*delta > (2*tIn-3*tEFSkip)^2`
 ///
-/// At the edges: tends to 0 where 12*delta = (2*tIn-3*tEFSkip)^2 and 2*tIn >= 3*tEFSkip; the ramps out, t3 = (4*tau-3*tEFSkip)/2, take a positive time only where 12*delta > 4*tIn^2+6*tIn*tEFSkip.
+/// At the edges: tends to 0 where 12\*delta = (2\*tIn-3\*tEFSkip)^2 and 2\*tIn >= 3\*tEFSkip; the ramps out, t3 = (4\*tau-3\*tEFSkip)/2, take a positive time only where 12\*delta > 4\*tIn^2+6\*tIn\*tEFSkip.
 ///
 /// # Error
 ///
-/// - at most 4.51 ulp, barring overflow and underflow
+/// - at most 4.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 tauEq.
 #[kernel(
@@ -616,7 +616,7 @@ pub fn tau_of_t_in(
 /// # Inputs
 ///
 /// - `t_in` (`tIn`), in s: time of the ramp in, from rest to the largest acceleration
-/// - `delta` (`delta`), in s^2: step by largest acceleration, d2Step/a2Max
+/// - `delta`, in s^2: step by largest acceleration, d2Step/a2Max
 ///
 /// # Domain
 ///
@@ -630,7 +630,7 @@ pub fn tau_of_t_in(
 ///
 /// # Error
 ///
-/// - at most 4.51 ulp, barring overflow and underflow
+/// - at most 4.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 rscn_tau_ax2.
 #[kernel(
@@ -665,11 +665,11 @@ pub fn tau_without_skip(
 /// rscn_delta_ax2(tau,tIn,tEFSkip):=(4*tau+2*tIn-3*tEFSkip)*(8*tau+2*tIn-3*tEFSkip)/12
 /// ```
 ///
-/// Branch: where 6*tau+2*tIn-3*tEFSkip > 0, the sign of the square root in tIn; the domain implies it.
+/// Branch: where 6\*tau+2\*tIn-3\*tEFSkip > 0, the sign of the square root in tIn; the domain implies it.
 ///
 /// # Inputs
 ///
-/// - `tau` (`tau`), in s: (2*t3+3*t2)/4 with t3 = tOut+tEdge/2, t2 = tEFSkip
+/// - `tau`, in s: (2\*t3+3\*t2)/4 with t3 = tOut+tEdge/2, t2 = tEFSkip
 /// - `t_in` (`tIn`), in s: time of the ramp in, from rest to the largest acceleration
 /// - `t_ef_skip` (`tEFSkip`), in s: time at constant velocity in the middle, where tEdge belongs to the ramps
 ///
@@ -682,11 +682,11 @@ pub fn tau_without_skip(
 /// - `tEFSkip >= 0`
 /// - `4*tau+2*tIn > 3*tEFSkip`
 ///
-/// At the edges: tends to 0 where 4*tau+2*tIn = 3*tEFSkip; for 4*tau < 3*tEFSkip the formula holds, but the ramps out, t3 = (4*tau-3*tEFSkip)/2, would take a negative time.
+/// At the edges: tends to 0 where 4\*tau+2\*tIn = 3\*tEFSkip; for 4\*tau < 3\*tEFSkip the formula holds, but the ramps out, t3 = (4\*tau-3\*tEFSkip)/2, would take a negative time.
 ///
 /// # Error
 ///
-/// - at most 4.01 ulp, barring overflow and underflow
+/// - at most 4.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 deltaEq, %o101.
 #[kernel(
@@ -740,7 +740,7 @@ pub fn delta_of_tau(
 ///
 /// # Error
 ///
-/// - at most 2.01 ulp, barring overflow and underflow
+/// - at most 2.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 %o102.
 #[kernel(
@@ -784,7 +784,7 @@ pub fn delta_of_t_edge(
 ///
 /// - `t_in` (`tIn`), in s: time of the ramp in, from rest to the largest acceleration
 /// - `t_out` (`tOut`), in s: time of the ramp out of the line
-/// - `delta` (`delta`), in s^2: step by largest acceleration, d2Step/a2Max
+/// - `delta`, in s^2: step by largest acceleration, d2Step/a2Max
 ///
 /// # Domain
 ///
@@ -795,11 +795,11 @@ pub fn delta_of_t_edge(
 /// - `delta > 0`
 /// - `3*delta >= (tIn+tOut)*(tIn+2*tOut)`
 ///
-/// At the edges: 0 where delta = (tIn+tOut)*(tIn+2*tOut)/3, the step of the ramps alone.
+/// At the edges: 0 where delta = (tIn+tOut)\*(tIn+2\*tOut)/3, the step of the ramps alone.
 ///
 /// # Error
 ///
-/// - at most 4.51 ulp, barring overflow and underflow
+/// - at most 4.51 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 rscn_tEdge_ax2.
 #[kernel(
@@ -841,7 +841,7 @@ pub fn t_edge_of_t_in(
 /// # Inputs
 ///
 /// - `d2_step` (`d2Step`), in m: step from line to line
-/// - `tau` (`tau`), in s: (2*t3+3*t2)/4 with t3 = tOut+tEdge/2, t2 = tEFSkip
+/// - `tau`, in s: (2\*t3+3\*t2)/4 with t3 = tOut+tEdge/2, t2 = tEFSkip
 /// - `t_in` (`tIn`), in s: time of the ramp in, from rest to the largest acceleration
 ///
 /// # Domain
@@ -852,11 +852,11 @@ pub fn t_edge_of_t_in(
 /// - `tau >= 0`
 /// - `tIn > 0`
 ///
-/// At the edges: at tau = 0 the ramps in make the step alone, 3*d2Step/tIn^2.
+/// At the edges: at tau = 0 the ramps in make the step alone, 3\*d2Step/tIn^2.
 ///
 /// # Error
 ///
-/// - at most 3.01 ulp, barring overflow and underflow
+/// - at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 %o94.
 #[kernel(
@@ -892,7 +892,7 @@ pub fn a2_max_of_tau(
 /// # Inputs
 ///
 /// - `d2_step` (`d2Step`), in m: step from line to line
-/// - `tau` (`tau`), in s: (2*t3+3*t2)/4 with t3 = tOut+tEdge/2, t2 = tEFSkip
+/// - `tau`, in s: (2\*t3+3\*t2)/4 with t3 = tOut+tEdge/2, t2 = tEFSkip
 /// - `t_in` (`tIn`), in s: time of the ramp in, from rest to the largest acceleration
 ///
 /// # Domain
@@ -905,7 +905,7 @@ pub fn a2_max_of_tau(
 ///
 /// # Error
 ///
-/// - at most 3.01 ulp, barring overflow and underflow
+/// - at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 %o95.
 #[kernel(
@@ -958,7 +958,7 @@ pub fn da2_max_dtau(
 ///
 /// # Error
 ///
-/// - at most 3.01 ulp, barring overflow and underflow
+/// - at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: 2.3.1 %o96.
 #[kernel(
@@ -1000,13 +1000,13 @@ pub fn dtau_da2_max(
 /// K_of_tIn(tIn,tEFSkip,delta):=-(tEFSkip*tIn^2*sqrt(4*tIn^2-12*tEFSkip*tIn+9*tEFSkip^2+96*delta)-2*tEFSkip*tIn^3+3*tEFSkip^2*tIn^2+16*delta*tIn^2)/(12*delta*tEFSkip*tIn-48*delta^2)
 /// ```
 ///
-/// Branch: s5S3[1], with t3 > 0; the seed takes s5S3[2], with t3 < 0.
+/// Branch: s5S3\[1], with t3 > 0; the seed takes s5S3\[2], with t3 < 0.
 ///
 /// # Inputs
 ///
 /// - `t_in` (`tIn`), in s: time of the ramp in, from rest to the largest acceleration
 /// - `t_ef_skip` (`tEFSkip`), in s: time at constant velocity in the middle, where tEdge belongs to the ramps
-/// - `delta` (`delta`), in s^2: step by largest acceleration, d2Step/a2Max
+/// - `delta`, in s^2: step by largest acceleration, d2Step/a2Max
 ///
 /// # Domain
 ///
@@ -1017,7 +1017,7 @@ pub fn dtau_da2_max(
 /// - `delta > 0`
 /// - `12*delta > 4*tIn^2+6*tIn*tEFSkip`
 ///
-/// At the edges: between 0 and 1; tends to 1 as delta falls to tIn*(2*tIn+3*tEFSkip)/6, where t3 = 0.
+/// At the edges: between 0 and 1; tends to 1 as delta falls to tIn\*(2\*tIn+3\*tEFSkip)/6, where t3 = 0.
 ///
 /// # Error
 ///

@@ -23,11 +23,11 @@ pub struct Segment2D {
 ///
 /// # Inputs
 ///
-/// - `x0` (`x0`), in m: first coordinate of the point where the segment starts
-/// - `y0` (`y0`), in m: second coordinate of the point where the segment starts
-/// - `x1` (`x1`), in m: first coordinate of the point where the segment ends
-/// - `y1` (`y1`), in m: second coordinate of the point where the segment ends
-/// - `v` (`v`), in m/s: mean speed on the segment; the seed's is 1
+/// - `x0`, in m: first coordinate of the point where the segment starts
+/// - `y0`, in m: second coordinate of the point where the segment starts
+/// - `x1`, in m: first coordinate of the point where the segment ends
+/// - `y1`, in m: second coordinate of the point where the segment ends
+/// - `v`, in m/s: mean speed on the segment; the seed's is 1
 ///
 /// # Domain
 ///
@@ -39,8 +39,8 @@ pub struct Segment2D {
 ///
 /// # Error
 ///
-/// - `length`: at most 3 ulp, barring overflow and underflow
-/// - `time`: at most 4 ulp, barring overflow and underflow
+/// - `length`: at most 3 ulp, barring overflow and underflow of the result
+/// - `time`: at most 4 ulp, barring overflow and underflow of the result
 ///
 /// From: equations 17 to 19.
 #[kernel(
@@ -91,13 +91,13 @@ pub struct Segment3D {
 ///
 /// # Inputs
 ///
-/// - `x0` (`x0`), in m: first coordinate of the point where the segment starts
-/// - `y0` (`y0`), in m: second coordinate of the point where the segment starts
-/// - `z0` (`z0`), in m: third coordinate of the point where the segment starts
-/// - `x1` (`x1`), in m: first coordinate of the point where the segment ends
-/// - `y1` (`y1`), in m: second coordinate of the point where the segment ends
-/// - `z1` (`z1`), in m: third coordinate of the point where the segment ends
-/// - `v` (`v`), in m/s: mean speed on the segment; the seed's is 1
+/// - `x0`, in m: first coordinate of the point where the segment starts
+/// - `y0`, in m: second coordinate of the point where the segment starts
+/// - `z0`, in m: third coordinate of the point where the segment starts
+/// - `x1`, in m: first coordinate of the point where the segment ends
+/// - `y1`, in m: second coordinate of the point where the segment ends
+/// - `z1`, in m: third coordinate of the point where the segment ends
+/// - `v`, in m/s: mean speed on the segment; the seed's is 1
 ///
 /// # Domain
 ///
@@ -109,8 +109,8 @@ pub struct Segment3D {
 ///
 /// # Error
 ///
-/// - `length`: at most 3.5 ulp, barring overflow and underflow
-/// - `time`: at most 4.5 ulp, barring overflow and underflow
+/// - `length`: at most 3.5 ulp, barring overflow and underflow of the result
+/// - `time`: at most 4.5 ulp, barring overflow and underflow of the result
 ///
 /// From: equations 17 to 19, with a third coordinate.
 #[kernel(
@@ -182,9 +182,9 @@ pub struct Linear {
 /// - `p1` (`P1`), in m: the same coordinate of the second point
 /// - `p2` (`P2`), in m: the same coordinate of the third point
 /// - `p3` (`P3`), in m: the same coordinate of the fourth point
-/// - `t0` (`t0`), in s: time from the first point to the second
-/// - `t1` (`t1`), in s: time from the second point to the third
-/// - `t2` (`t2`), in s: time from the third point to the fourth
+/// - `t0`, in s: time from the first point to the second
+/// - `t1`, in s: time from the second point to the third
+/// - `t2`, in s: time from the third point to the fourth
 ///
 /// # Domain
 ///
@@ -198,12 +198,12 @@ pub struct Linear {
 ///
 /// # Error
 ///
-/// - `c00`: at most 0 ulp, barring overflow and underflow
-/// - `c10`: at most 0 ulp, barring overflow and underflow
-/// - `c20`: at most 0 ulp, barring overflow and underflow
-/// - `c01`: at most 2 ulp, barring overflow and underflow
-/// - `c11`: at most 2 ulp, barring overflow and underflow
-/// - `c21`: at most 2 ulp, barring overflow and underflow
+/// - `c00`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c10`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c20`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c01`: at most 2 ulp, barring overflow and underflow of the result
+/// - `c11`: at most 2 ulp, barring overflow and underflow of the result
+/// - `c21`: at most 2 ulp, barring overflow and underflow of the result
 ///
 /// From: problem (a), equations 14 to 16, 28 to 30.
 #[kernel(
@@ -287,9 +287,9 @@ pub struct QuadraticLinearQuadratic {
 /// - `p1` (`P1`), in m: the same coordinate of the second point
 /// - `p2` (`P2`), in m: the same coordinate of the third point
 /// - `p3` (`P3`), in m: the same coordinate of the fourth point
-/// - `t0` (`t0`), in s: time from the first point to the second
-/// - `t1` (`t1`), in s: time from the second point to the third
-/// - `t2` (`t2`), in s: time from the third point to the fourth
+/// - `t0`, in s: time from the first point to the second
+/// - `t1`, in s: time from the second point to the third
+/// - `t2`, in s: time from the third point to the fourth
 ///
 /// # Domain
 ///
@@ -303,14 +303,14 @@ pub struct QuadraticLinearQuadratic {
 ///
 /// # Error
 ///
-/// - `c00`: at most 0 ulp, barring overflow and underflow
-/// - `c10`: at most 0 ulp, barring overflow and underflow
-/// - `c20`: at most 0 ulp, barring overflow and underflow
-/// - `c11`: at most 2 ulp, barring overflow and underflow
-/// - `c21`: at most 2 ulp, barring overflow and underflow
-/// - `c01`: at most 3.01 ulp, barring overflow and underflow
-/// - `c02`: at most 4.01 ulp, barring overflow and underflow
-/// - `c22`: at most 4.01 ulp, barring overflow and underflow
+/// - `c00`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c10`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c20`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c11`: at most 2 ulp, barring overflow and underflow of the result
+/// - `c21`: at most 2 ulp, barring overflow and underflow of the result
+/// - `c01`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c02`: at most 4.01 ulp, barring overflow and underflow of the result
+/// - `c22`: at most 4.01 ulp, barring overflow and underflow of the result
 ///
 /// From: problem (b), equations 81 to 90.
 #[kernel(
@@ -412,9 +412,9 @@ pub struct QuadraticCubicQuadraticAtRest {
 /// - `p1` (`P1`), in m: the same coordinate of the second point
 /// - `p2` (`P2`), in m: the same coordinate of the third point
 /// - `p3` (`P3`), in m: the same coordinate of the fourth point
-/// - `t0` (`t0`), in s: time from the first point to the second
-/// - `t1` (`t1`), in s: time from the second point to the third
-/// - `t2` (`t2`), in s: time from the third point to the fourth
+/// - `t0`, in s: time from the first point to the second
+/// - `t1`, in s: time from the second point to the third
+/// - `t2`, in s: time from the third point to the fourth
 ///
 /// # Domain
 ///
@@ -428,16 +428,16 @@ pub struct QuadraticCubicQuadraticAtRest {
 ///
 /// # Error
 ///
-/// - `c00`: at most 0 ulp, barring overflow and underflow
-/// - `c10`: at most 0 ulp, barring overflow and underflow
-/// - `c20`: at most 0 ulp, barring overflow and underflow
-/// - `c01`: at most 0 ulp, barring overflow and underflow
-/// - `c02`: at most 3 ulp, barring overflow and underflow
-/// - `c11`: at most 2 ulp, barring overflow and underflow
-/// - `c21`: at most 2 ulp, barring overflow and underflow
-/// - `c22`: at most 3 ulp, barring overflow and underflow
-/// - `c12`: at most 3.01 ulp, barring overflow and underflow
-/// - `c13`: at most 3.01 ulp, barring overflow and underflow
+/// - `c00`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c10`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c20`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c01`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c02`: at most 3 ulp, barring overflow and underflow of the result
+/// - `c11`: at most 2 ulp, barring overflow and underflow of the result
+/// - `c21`: at most 2 ulp, barring overflow and underflow of the result
+/// - `c22`: at most 3 ulp, barring overflow and underflow of the result
+/// - `c12`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c13`: at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: problem (c), stated there.
 #[kernel(
@@ -544,9 +544,9 @@ pub struct QuadraticCubicQuadratic {
 /// - `p1` (`P1`), in m: the same coordinate of the second point
 /// - `p2` (`P2`), in m: the same coordinate of the third point
 /// - `p3` (`P3`), in m: the same coordinate of the fourth point
-/// - `t0` (`t0`), in s: time from the first point to the second
-/// - `t1` (`t1`), in s: time from the second point to the third
-/// - `t2` (`t2`), in s: time from the third point to the fourth
+/// - `t0`, in s: time from the first point to the second
+/// - `t1`, in s: time from the second point to the third
+/// - `t2`, in s: time from the third point to the fourth
 ///
 /// # Domain
 ///
@@ -560,16 +560,16 @@ pub struct QuadraticCubicQuadratic {
 ///
 /// # Error
 ///
-/// - `c00`: at most 0 ulp, barring overflow and underflow
-/// - `c10`: at most 0 ulp, barring overflow and underflow
-/// - `c20`: at most 0 ulp, barring overflow and underflow
-/// - `c02`: at most 3.01 ulp, barring overflow and underflow
-/// - `c12`: at most 3.01 ulp, barring overflow and underflow
-/// - `c22`: at most 3.01 ulp, barring overflow and underflow
-/// - `c01`: at most 3.01 ulp, barring overflow and underflow
-/// - `c11`: at most 3.01 ulp, barring overflow and underflow
-/// - `c21`: at most 3.01 ulp, barring overflow and underflow
-/// - `c13`: at most 3.01 ulp, barring overflow and underflow
+/// - `c00`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c10`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c20`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c02`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c12`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c22`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c01`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c11`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c21`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c13`: at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: problem (d), stated there.
 #[kernel(
@@ -709,9 +709,9 @@ pub struct CubicsAtRest {
 /// - `p1` (`P1`), in m: the same coordinate of the second point
 /// - `p2` (`P2`), in m: the same coordinate of the third point
 /// - `p3` (`P3`), in m: the same coordinate of the fourth point
-/// - `t0` (`t0`), in s: time from the first point to the second
-/// - `t1` (`t1`), in s: time from the second point to the third
-/// - `t2` (`t2`), in s: time from the third point to the fourth
+/// - `t0`, in s: time from the first point to the second
+/// - `t1`, in s: time from the second point to the third
+/// - `t2`, in s: time from the third point to the fourth
 ///
 /// # Domain
 ///
@@ -725,18 +725,18 @@ pub struct CubicsAtRest {
 ///
 /// # Error
 ///
-/// - `c00`: at most 0 ulp, barring overflow and underflow
-/// - `c10`: at most 0 ulp, barring overflow and underflow
-/// - `c20`: at most 0 ulp, barring overflow and underflow
-/// - `c01`: at most 0 ulp, barring overflow and underflow
-/// - `c11`: at most 3.01 ulp, barring overflow and underflow
-/// - `c21`: at most 3.01 ulp, barring overflow and underflow
-/// - `c02`: at most 3.01 ulp, barring overflow and underflow
-/// - `c12`: at most 3.01 ulp, barring overflow and underflow
-/// - `c22`: at most 3.01 ulp, barring overflow and underflow
-/// - `c03`: at most 3.01 ulp, barring overflow and underflow
-/// - `c13`: at most 3.01 ulp, barring overflow and underflow
-/// - `c23`: at most 3.01 ulp, barring overflow and underflow
+/// - `c00`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c10`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c20`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c01`: at most 0 ulp, barring overflow and underflow of the result
+/// - `c11`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c21`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c02`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c12`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c22`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c03`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c13`: at most 3.01 ulp, barring overflow and underflow of the result
+/// - `c23`: at most 3.01 ulp, barring overflow and underflow of the result
 ///
 /// From: problem (e), stated there.
 #[kernel(
@@ -900,9 +900,9 @@ pub struct QuarticCubicQuarticAtRest {
 /// - `p1` (`P1`), in m: the same coordinate of the second point
 /// - `p2` (`P2`), in m: the same coordinate of the third point
 /// - `p3` (`P3`), in m: the same coordinate of the fourth point
-/// - `t0` (`t0`), in s: time from the first point to the second
-/// - `t1` (`t1`), in s: time from the second point to the third
-/// - `t2` (`t2`), in s: time from the third point to the fourth
+/// - `t0`, in s: time from the first point to the second
+/// - `t1`, in s: time from the second point to the third
+/// - `t2`, in s: time from the third point to the fourth
 ///
 /// # Domain
 ///

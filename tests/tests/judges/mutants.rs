@@ -1,4 +1,4 @@
-//! Kernels with a mistake each, and what judges need besides them.
+//! Kernels with a mistake each, and what judges need besides them. Their certificates are forged.
 
 use closedform::{Kernel, kernel};
 
@@ -6,10 +6,10 @@ use crate::right::Ramps;
 
 /// Kernels that take v, a, x and return the time to reach x: each its own mistake.
 macro_rules! mutants {
-    ($($(#[$doc:meta])* $name:ident($v:ident, $a:ident, $x:ident) { $($body:tt)* })*) => {$(
+    ($($(#[$doc:meta])* $certificate:tt $name:ident($v:ident, $a:ident, $x:ident) { $($body:tt)* })*) => {$(
         $(#[$doc])*
         #[expect(dead_code, reason = "judges call it through KERNEL")]
-        #[kernel(family = "sample", bound = 3, result(worksheet = "reach", unit = "s"))]
+        #[kernel(family = "sample", bound = 3, certificate = $certificate, result(worksheet = "reach", unit = "s"))]
         pub fn $name(
             #[input(unit = "m/s", typical(1e-3, 2.0))] $v: f64,
             #[input(unit = "m/s^2", typical(0.1, 50.0))] $a: f64,
@@ -33,7 +33,7 @@ pub const WRONG_DOMAIN: [&Kernel; 4] =
 
 mutants! {
     /// A sign.
-    sign(v, a, x) {
+    "1-79ed80d3d490aafa" sign(v, a, x) {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         let root = sqrt(compensated!(v * v + 2.0 * a * x));
@@ -41,7 +41,7 @@ mutants! {
     }
 
     /// A coefficient, in its last digits.
-    coefficient(v, a, x) {
+    "1-8efcd05853134c4a" coefficient(v, a, x) {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         let root = sqrt(compensated!(v * v + 2.000000000000004 * a * x));
@@ -49,7 +49,7 @@ mutants! {
     }
 
     /// An operator.
-    operator(v, a, x) {
+    "1-27a3336ab2fd1ac3" operator(v, a, x) {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         let root = sqrt(abs(compensated!(v * v - 2.0 * a * x)));
@@ -57,7 +57,7 @@ mutants! {
     }
 
     /// One input alone, where v vanishes.
-    zero(v, a, x) {
+    "1-e6793af99efcc78b" zero(v, a, x) {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         let root = sqrt(compensated!(v * v + 2.0 * a * x));
@@ -65,7 +65,7 @@ mutants! {
     }
 
     /// A number without unit, far below what matters at common magnitudes.
-    offset(v, a, x) {
+    "1-c878536a73d67d7b" offset(v, a, x) {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         let root = sqrt(compensated!(v * v + 2.0 * a * x));
@@ -73,7 +73,7 @@ mutants! {
     }
 
     /// Each branch where the other one belongs.
-    branches_swapped(v, a, x) {
+    "1-99908a8bd496bcc8" branches_swapped(v, a, x) {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         let root = sqrt(compensated!(v * v + 2.0 * a * x));
@@ -81,14 +81,14 @@ mutants! {
     }
 
     /// The formula as it stands.
-    one_branch(v, a, x) {
+    "1-a9a2be66f542661b" one_branch(v, a, x) {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         (sqrt(compensated!(v * v + 2.0 * a * x)) - v) / a
     }
 
     /// A difference rounded in each step.
-    plain_difference(v, a, x) {
+    "1-1cdc5487eb8af31e" plain_difference(v, a, x) {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         let root = sqrt(abs(v * v + 2.0 * a * x));
@@ -96,28 +96,28 @@ mutants! {
     }
 
     /// The edge belongs to the domain.
-    edge_left_out(v, a, x) {
+    "1-9e498f89699b0c61" edge_left_out(v, a, x) {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) > 0.0, "v^2+2*a*x >= 0");
         0.0 * v * a * x
     }
 
     /// The edge does not belong to the domain.
-    edge_taken(v, a, x) {
+    "1-7a0c3054f4f141d3" edge_taken(v, a, x) {
         require!(a >= 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         0.0 * v * a * x
     }
 
     /// The condition is decided after rounding.
-    edge_rounded(v, a, x) {
+    "1-d7cf9833c5ad7c45" edge_rounded(v, a, x) {
         require!(a > 0.0, "a > 0");
         require!(v * v + 2.0 * a * x >= 0.0, "v^2+2*a*x >= 0");
         0.0 * v * a * x
     }
 
     /// The conditions bear each other's texts.
-    misnamed(v, a, x) {
+    "1-81fe1d61290c3510" misnamed(v, a, x) {
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "a > 0");
         require!(a > 0.0, "v^2+2*a*x >= 0");
         0.0 * v * a * x
@@ -125,7 +125,7 @@ mutants! {
 }
 
 /// A wrong unit.
-#[kernel(family = "sample", bound = 1, result(worksheet = "travel", unit = "s"))]
+#[kernel(family = "sample", bound = 1, certificate = "1-5c7a85c6a6640a7c", result(worksheet = "travel", unit = "s"))]
 pub fn unit(
     #[input(unit = "m/s", typical(1e-3, 2.0))] v: f64,
     #[input(unit = "m/s^2", typical(0.1, 50.0))] a: f64,
@@ -136,7 +136,7 @@ pub fn unit(
 }
 
 /// A sum rounded in each step.
-#[kernel(family = "sample", bound = 1, result(worksheet = "travel", unit = "m"))]
+#[kernel(family = "sample", bound = 1, certificate = "1-a5d16aeb683ab9e5", result(worksheet = "travel", unit = "m"))]
 pub fn plain_sum(
     #[input(unit = "m/s", typical(1e-3, 2.0))] v: f64,
     #[input(unit = "m/s^2", typical(0.1, 50.0))] a: f64,
@@ -160,6 +160,7 @@ pub const WRONG_MOVES: [(&Kernel, &str); 2] =
 #[kernel(
     family = "sample",
     bound(v = 0.5, a = 2),
+    certificate = "1-68192d47b20d2a15",
     results(v(worksheet = "ramps_v", unit = "m/s"), a(worksheet = "ramps_a", unit = "m/s^2"))
 )]
 pub fn ramps_too_slow(
@@ -176,6 +177,7 @@ pub fn ramps_too_slow(
 #[kernel(
     family = "sample",
     bound(v = 0.5, a = 2),
+    certificate = "1-25b331a3d2ad5087",
     results(v(worksheet = "ramps_v", unit = "m/s"), a(worksheet = "ramps_a", unit = "m/s^2"))
 )]
 pub fn peak_too_high(

@@ -29,7 +29,7 @@ ramps_a\tx=0x1p+0 t=0x1p+1\t2.500000000000000000000000000000000000000e-1
 pub const ALL: [&Kernel; 4] = [&time_to_reach::KERNEL, &distance::KERNEL, &ramp::KERNEL, &ramps::KERNEL];
 
 /// Time to reach x from the velocity v with the acceleration a.
-#[kernel(family = "sample", bound = 3, result(worksheet = "reach", unit = "s"))]
+#[kernel(family = "sample", bound = 3, certificate = "1-47102bb14b8a40c6", result(worksheet = "reach", unit = "s"))]
 pub fn time_to_reach(
     #[input(unit = "m/s", typical(1e-3, 2.0))] v: f64,
     #[input(unit = "m/s^2", typical(0.1, 50.0))] a: f64,
@@ -42,7 +42,7 @@ pub fn time_to_reach(
 }
 
 /// Distance travelled from the velocity v with the acceleration a in the time t.
-#[kernel(family = "sample", bound = 1, result(worksheet = "travel", unit = "m"))]
+#[kernel(family = "sample", bound = 1, certificate = "1-5c7a85c6a6640a7c", result(worksheet = "travel", unit = "m"))]
 pub fn distance(
     #[input(unit = "m/s", typical(1e-3, 2.0))] v: f64,
     #[input(unit = "m/s^2", typical(0.1, 50.0))] a: f64,
@@ -65,6 +65,7 @@ pub struct Ramp {
 #[kernel(
     family = "sample",
     bound(d = 2.5, v = 0.5),
+    certificate = "1-63563b8b0e13991f",
     results(d(worksheet = "ramp_d", unit = "m"), v(worksheet = "ramp_v", unit = "m/s"))
 )]
 pub fn ramp(
@@ -89,6 +90,7 @@ pub struct Ramps {
 #[kernel(
     family = "sample",
     bound(v = 0.5, a = 2),
+    certificate = "1-c89076c25c0c28ae",
     results(v(worksheet = "ramps_v", unit = "m/s"), a(worksheet = "ramps_a", unit = "m/s^2"))
 )]
 pub fn ramps(
