@@ -2,7 +2,7 @@
 
 mod common;
 
-use closedform_codegen::algebra::{Turn, TurnError};
+use closedform_codegen::algebra::{Patience, Turn};
 use closedform_codegen::kernel::{ProofError, prove};
 use closedform_codegen::measure::results;
 use closedform_codegen::pipeline::{generate, unproved};
@@ -12,7 +12,6 @@ use closedform_maxima::Definition;
 use closedform_syntax::{BinaryOp, Comparison, Condition, Expr, Kernel, Output, parse_file};
 use common::repository;
 use std::path::Path;
-use std::time::Duration;
 
 /// Symbolica runs once a machine and, without a licence, in one thread: the tests take one turn together.
 #[test]
@@ -29,13 +28,8 @@ fn what_is_proved_is_what_is_said() {
 }
 
 fn turn_of_the_machine() -> Turn {
-    loop {
-        match Turn::take() {
-            Ok(turn) => return turn,
-            Err(TurnError::Busy(_)) => std::thread::sleep(Duration::from_millis(100)),
-            Err(error) => panic!("{error}"),
-        }
-    }
+    let patience = Patience::from_environment().unwrap();
+    Turn::take(&patience, |_| ()).unwrap()
 }
 
 /// The family of a worksheet with a contract, and its generated text.
