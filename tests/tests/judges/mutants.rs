@@ -6,7 +6,7 @@ use crate::right::Ramps;
 
 /// Kernels that take v, a, x and return the time to reach x: each its own mistake.
 macro_rules! mutants {
-    ($($(#[$doc:meta])* $certificate:tt $name:ident($v:ident, $a:ident, $x:ident) { $($body:tt)* })*) => {$(
+    ($($(#[$doc:meta])* $name:ident($v:ident, $a:ident, $x:ident), $certificate:tt { $($body:tt)* })*) => {$(
         $(#[$doc])*
         #[expect(dead_code, reason = "judges call it through KERNEL")]
         #[kernel(family = "sample", bound = 3, certificate = $certificate, result(worksheet = "reach", unit = "s"))]
@@ -33,7 +33,7 @@ pub const WRONG_DOMAIN: [&Kernel; 4] =
 
 mutants! {
     /// A sign.
-    "1-79ed80d3d490aafa" sign(v, a, x) {
+    sign(v, a, x), "1-79ed80d3d490aafa" {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         let root = sqrt(compensated!(v * v + 2.0 * a * x));
@@ -41,7 +41,7 @@ mutants! {
     }
 
     /// A coefficient, in its last digits.
-    "1-8efcd05853134c4a" coefficient(v, a, x) {
+    coefficient(v, a, x), "1-8efcd05853134c4a" {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         let root = sqrt(compensated!(v * v + 2.000000000000004 * a * x));
@@ -49,7 +49,7 @@ mutants! {
     }
 
     /// An operator.
-    "1-27a3336ab2fd1ac3" operator(v, a, x) {
+    operator(v, a, x), "1-27a3336ab2fd1ac3" {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         let root = sqrt(abs(compensated!(v * v - 2.0 * a * x)));
@@ -57,7 +57,7 @@ mutants! {
     }
 
     /// One input alone, where v vanishes.
-    "1-e6793af99efcc78b" zero(v, a, x) {
+    zero(v, a, x), "1-e6793af99efcc78b" {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         let root = sqrt(compensated!(v * v + 2.0 * a * x));
@@ -65,7 +65,7 @@ mutants! {
     }
 
     /// A number without unit, far below what matters at common magnitudes.
-    "1-c878536a73d67d7b" offset(v, a, x) {
+    offset(v, a, x), "1-c878536a73d67d7b" {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         let root = sqrt(compensated!(v * v + 2.0 * a * x));
@@ -73,7 +73,7 @@ mutants! {
     }
 
     /// Each branch where the other one belongs.
-    "1-99908a8bd496bcc8" branches_swapped(v, a, x) {
+    branches_swapped(v, a, x), "1-99908a8bd496bcc8" {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         let root = sqrt(compensated!(v * v + 2.0 * a * x));
@@ -81,14 +81,14 @@ mutants! {
     }
 
     /// The formula as it stands.
-    "1-a9a2be66f542661b" one_branch(v, a, x) {
+    one_branch(v, a, x), "1-a9a2be66f542661b" {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         (sqrt(compensated!(v * v + 2.0 * a * x)) - v) / a
     }
 
     /// A difference rounded in each step.
-    "1-1cdc5487eb8af31e" plain_difference(v, a, x) {
+    plain_difference(v, a, x), "1-1cdc5487eb8af31e" {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         let root = sqrt(abs(v * v + 2.0 * a * x));
@@ -96,28 +96,28 @@ mutants! {
     }
 
     /// The edge belongs to the domain.
-    "1-9e498f89699b0c61" edge_left_out(v, a, x) {
+    edge_left_out(v, a, x), "1-9e498f89699b0c61" {
         require!(a > 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) > 0.0, "v^2+2*a*x >= 0");
         0.0 * v * a * x
     }
 
     /// The edge does not belong to the domain.
-    "1-7a0c3054f4f141d3" edge_taken(v, a, x) {
+    edge_taken(v, a, x), "1-7a0c3054f4f141d3" {
         require!(a >= 0.0, "a > 0");
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "v^2+2*a*x >= 0");
         0.0 * v * a * x
     }
 
     /// The condition is decided after rounding.
-    "1-d7cf9833c5ad7c45" edge_rounded(v, a, x) {
+    edge_rounded(v, a, x), "1-d7cf9833c5ad7c45" {
         require!(a > 0.0, "a > 0");
         require!(v * v + 2.0 * a * x >= 0.0, "v^2+2*a*x >= 0");
         0.0 * v * a * x
     }
 
     /// The conditions bear each other's texts.
-    "1-81fe1d61290c3510" misnamed(v, a, x) {
+    misnamed(v, a, x), "1-81fe1d61290c3510" {
         require!(compensated!(v * v + 2.0 * a * x) >= 0.0, "a > 0");
         require!(a > 0.0, "v^2+2*a*x >= 0");
         0.0 * v * a * x
