@@ -69,6 +69,7 @@ fn beside(path: &Path, text: &str) -> std::io::Result<NamedTempFile> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::os::unix::fs::PermissionsExt;
 
     #[test]
     fn what_others_wrote_is_not_replaced() {
