@@ -106,7 +106,8 @@ mod tests {
 
     #[test]
     fn files_are_found_without_git_but_not_what_tools_make() {
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("walked");
+        let temporary = tempfile::tempdir().expect("a folder");
+        let folder = temporary.path().join("walked");
         let kept = [".ci/run", ".gitignore", "a/b.rs", "a/src/target.rs", "z"];
         let left = [".git/config", ".editor/a", "a/.a.rs.swp", "a/target/a.rs", "other/a.rs", "other/CACHEDIR.TAG"];
         for path in kept.iter().chain(&left) {
