@@ -4,7 +4,9 @@ use super::work::spend;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
+use std::cell::RefCell;
 use std::cmp::Ordering;
+use std::collections::HashMap;
 use std::sync::Arc;
 use symbolica::atom::Symbol;
 use symbolica::domains::integer::Integer;
@@ -14,6 +16,11 @@ use symbolica::poly::factor::Factorize;
 use symbolica::poly::polynomial::MultivariatePolynomial;
 
 type Inner = MultivariatePolynomial<RationalField, u16>;
+
+thread_local! {
+    /// The factors of polynomials that were asked for, since signs ask for the same ones again and again.
+    static FACTORED: RefCell<HashMap<Inner, Factors>> = RefCell::default();
+}
 
 /// A variable of a [`Ring`], by position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -290,7 +297,17 @@ impl Polynomial {
         if let Some(constant) = self.as_constant() {
             return Factors { constant, powers: Vec::new() };
         }
+        // what is found again is work all the same: what a formula may take must not depend on those before it
         spend(self.hardness());
+        if let Some(factors) = FACTORED.with_borrow(|factored| factored.get(&self.inner).cloned()) {
+            return factors;
+        }
+        let factors = self.factorised();
+        FACTORED.with_borrow_mut(|factored| factored.insert(self.inner.clone(), factors.clone()));
+        factors
+    }
+
+    fn factorised(&self) -> Factors {
         let mut constant = BigRational::one();
         let mut powers = Vec::new();
         for (factor, exponent) in self.inner.factor() {

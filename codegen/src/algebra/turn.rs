@@ -165,8 +165,9 @@ mod tests {
         let mut take = |seconds| Turn::take_at(path.clone(), &patience(seconds), |text| said.push(text.to_owned()));
         let turn = take(0).unwrap();
         let shared = turn.shared().unwrap();
-        drop(turn);
         let busy = take(1).unwrap_err().to_string();
+        drop(turn);
+        assert!(take(0).is_err(), "the other holder has it still");
         drop(shared);
         drop(take(0).unwrap());
         let own = format!("process {}, lock {}", std::process::id(), path.display());

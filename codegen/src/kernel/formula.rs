@@ -30,7 +30,26 @@ pub enum Formula {
     Or(Vec<Formula>),
 }
 
+impl Literal {
+    /// A text that equal literals share.
+    pub fn key(&self) -> String {
+        format!("{:?} is {:?}", self.polynomial.terms(), self.sign)
+    }
+}
+
 impl Formula {
+    /// A text that equal formulas share.
+    pub fn key(&self) -> String {
+        let joined = |name: &str, parts: &[Self]| {
+            format!("{name}({})", parts.iter().map(Self::key).collect::<Vec<_>>().join(", "))
+        };
+        match self {
+            Self::Literal(literal) => literal.key(),
+            Self::And(parts) => joined("and", parts),
+            Self::Or(parts) => joined("or", parts),
+        }
+    }
+
     /// A condition of a contract: a comparison holds where its divisors are not zero and its difference is of the sign.
     ///
     /// # Errors

@@ -4,10 +4,16 @@ use super::formula::{Formula, Literal};
 use crate::algebra::Polynomial;
 use crate::field::{Facts, Sign, Tower};
 use closedform_bounds as search;
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
+use std::collections::HashMap;
 
 /// The most cases; what would make more is not known.
 const CASES: usize = 64;
+
+thread_local! {
+    /// What searches have found: the text of a kernel is proved by the same questions as it was made by, and they take long.
+    static FOUND: RefCell<HashMap<String, bool>> = RefCell::default();
+}
 
 /// What holds: one of some cases.
 #[derive(Clone)]
@@ -38,7 +44,11 @@ impl Known {
 
     /// Whether a formula is shown to hold.
     pub fn shows(&self, formula: &Formula, effort: Effort) -> bool {
-        self.0.iter().all(|case| case.shows(formula, effort))
+        let shows = |case: &Case| case.shows(formula, effort);
+        match effort {
+            Effort::Quick => self.0.iter().all(shows),
+            Effort::Search => self.0.iter().all(|case| case.found(formula).unwrap_or_else(|| case.find(formula))),
+        }
     }
 }
 
@@ -69,6 +79,22 @@ impl Case {
             there.literals.push(literal.clone());
         }
         there
+    }
+
+    /// What was found before, by everything that an answer depends on.
+    fn found(&self, formula: &Formula) -> Option<bool> {
+        FOUND.with_borrow(|found| found.get(&self.question(formula)).copied())
+    }
+
+    fn find(&self, formula: &Formula) -> bool {
+        let shown = self.shows(formula, Effort::Search);
+        FOUND.with_borrow_mut(|found| found.insert(self.question(formula), shown));
+        shown
+    }
+
+    fn question(&self, formula: &Formula) -> String {
+        let known = self.literals.iter().map(Literal::key).collect::<Vec<_>>().join(";");
+        format!("{known}|{}", formula.key())
     }
 
     fn is_impossible(&self) -> bool {

@@ -117,7 +117,7 @@ fn anything_but_one_change_of_sign_is_nan() {
 #[test]
 fn the_highest_degree_is_taken_and_no_higher() {
     let mut coefficients = [0.0; MAX_DEGREE + 2];
-    coefficients[0] = -65536.0;
+    coefficients[0] = -2.0_f64.powi(MAX_DEGREE as i32);
     coefficients[MAX_DEGREE] = 1.0;
     assert_eq!(positive_root(&coefficients[..=MAX_DEGREE]), 2.0);
     assert!(positive_root(&coefficients).is_nan());
