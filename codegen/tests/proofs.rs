@@ -237,6 +237,24 @@ const MISTAKES: [(&str, Mistake); 4] = [
     }),
 ];
 
+/// What is no mistake. At these edges another part of the condition holds: it is positive there.
+const EDGES_OF_OTHERS: [&str; 5] = [
+    "five_segment::by_accelerations: `a0+a1 >= 0 or 3*DeltaX*Ki*a0 > (a0+a1)^2*t1^2`, comparison 0: an edge is let in or out",
+    "five_segment::by_accelerations: `a1 >= 0 or (a1^2+2*a0*a1+9*a0^2)*t1^2+3*DeltaX*(9*Ki*a0+8*a1*(1-Ki)) >= 0 or 108*t1^2*(3*a0-a1)^2*DeltaX*Ki*a0 >= ((a1^2+2*a0*a1+9*a0^2)*t1^2+3*DeltaX*(9*Ki*a0+8*a1*(1-Ki)))^2`, comparison 0: an edge is let in or out",
+    "five_segment::ki_without_middle: `a1 >= 0 or 3*a0*DeltaX > a1^2*t1^2`, comparison 0: an edge is let in or out",
+    "turnaround::t_in_of_tau: `4*tau < 3*tEFSkip or 12*delta > (4*tau-3*tEFSkip)*(8*tau-3*tEFSkip)`, comparison 0: an edge is let in or out",
+    "turnaround::tau_of_t_in: `2*tIn < 3*tEFSkip or 12*delta > (2*tIn-3*tEFSkip)^2`, comparison 0: an edge is let in or out",
+];
+
+/// And what is not zero is not twice itself.
+const TWICE: [&str; 5] = [
+    "milling_time::direction: `x # 0 or y # 0 or z # 0`, comparison 0: a name is another one",
+    "milling_time::direction: `x # 0 or y # 0 or z # 0`, comparison 1: a name is another one",
+    "milling_time::direction: `x # 0 or y # 0 or z # 0`, comparison 2: a name is another one",
+    "pvt::arrival_first: `a0 # 0 or v1+2*v0 > 0`, comparison 0: a name is another one",
+    "pvt::arrival_last: `a0 # 0 or v1+2*v0 < 0`, comparison 0: a name is another one",
+];
+
 fn first_number(expr: &mut Expr) -> Option<&mut f64> {
     match expr {
         Expr::Literal { value, .. } => Some(value),
@@ -272,7 +290,10 @@ fn every_condition_of_every_shipped_kernel_is_proved() {
             }
         }
     }
-    assert!(accepted.is_empty(), "\n{}", accepted.join("\n"));
+    let mut equivalent: Vec<&str> = EDGES_OF_OTHERS.into_iter().chain(TWICE).collect();
+    equivalent.sort_unstable();
+    accepted.sort_unstable();
+    assert_eq!(accepted, equivalent);
 }
 
 /// The kernel of one formula of x and y with this domain.

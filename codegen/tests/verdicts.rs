@@ -52,14 +52,14 @@ fn derive_writes_the_page_and_check_compares_its_list() {
 #[test]
 fn a_wrong_verdict_names_its_row_and_leaves_everything_as_it_was() {
     let project = one_scan();
-    fs::write(page(project.path()), "the page before").unwrap();
+    fs::write(page(project.path()), "written by `closedform derive`: the page before").unwrap();
     let references = project.path().join("maxima-ref/fly_axis.ref");
-    fs::write(&references, "the references before").unwrap();
+    fs::write(&references, "/* written by `closedform derive fly_axis` before */").unwrap();
     doctor(project.path());
     let words = ["fly_axis.toml has a mistake", "4.6 sub_alpha: `scan` is not shown", "correct the transcription"];
     refuses(project.path(), &["derive", "fly_axis"], &words);
-    assert_eq!(fs::read_to_string(page(project.path())).unwrap(), "the page before");
-    assert_eq!(fs::read_to_string(references).unwrap(), "the references before");
+    assert_eq!(fs::read_to_string(page(project.path())).unwrap(), "written by `closedform derive`: the page before");
+    assert_eq!(fs::read_to_string(references).unwrap(), "/* written by `closedform derive fly_axis` before */");
 }
 
 #[test]

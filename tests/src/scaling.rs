@@ -54,8 +54,13 @@ pub fn check_scaling(kernel: &Kernel, points: &Points) -> Result<(), String> {
             let by = |dimensions: &[Dimension], values: &[f64]| -> Vec<f64> {
                 dimensions.iter().zip(values).map(|(dimension, value)| value * factor(dimension, scale)).collect()
             };
-            let found = values(kernel, &by(&inputs, point));
-            let expected = by(&results, &original);
+            let (moved, expected) = (by(&inputs, point), by(&results, &original));
+            // in units so large or small that a number loses digits, nothing scales
+            let kept = |numbers: &[f64]| numbers.iter().all(|number| *number == 0.0 || number.is_normal());
+            if ![point, &moved, &original, &expected].into_iter().all(|numbers| kept(numbers)) {
+                continue;
+            }
+            let found = values(kernel, &moved);
             if found != expected {
                 let what = format!("base units times two to the powers {scale:?}: {found:?}, not {expected:?}");
                 return Err(format!("{}({point:?}), {what} ({})", info.name, points.origin));

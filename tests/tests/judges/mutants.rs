@@ -1,4 +1,4 @@
-//! Kernels with a mistake each, and what judges need besides them. Their certificates are forged.
+//! Kernels with a mistake each and forged certificates, and what judges need besides them.
 
 use closedform::{Kernel, kernel};
 
