@@ -189,9 +189,7 @@ fn make_kernel(family: &Family, kernel: &KernelContract, name: String) -> Result
     sample(&kernel.domain, &inputs, 1, 0).map_err(|cause| PipelineError::Empty { kernel: name.clone(), cause })?;
     let references = references_of(family, kernel);
     let made = match make(&family.contract, kernel, &references) {
-        Err(cause) if cause.leaves_the_formula_as_written(family.paths.contract.exists()) => {
-            as_written(family, kernel, cause.to_string())
-        }
+        Err(cause) if cause.leaves_the_formula_as_written() => as_written(family, kernel, cause.to_string()),
         Ok(made) if !reads_back(family, &made) => as_written(family, kernel, TOO_LARGE.to_owned()),
         made => made,
     };

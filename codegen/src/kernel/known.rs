@@ -141,10 +141,13 @@ impl Case {
         open.is_impossible() || open == Sign::ZERO && self.cannot_vanish(&literal.polynomial)
     }
 
-    /// Whether all that is known contradicts that a polynomial is zero: the search looks for signs, not for strict ones.
+    /// Whether all that is known contradicts that a polynomial, hence one of its factors, is zero: the search looks for
+    /// signs, not for strict ones.
     fn cannot_vanish(&self, polynomial: &Polynomial) -> bool {
-        let zero = Literal { polynomial: polynomial.clone(), sign: Sign::ZERO };
-        self.with(&[zero]).search().are_contradictory()
+        polynomial.factors().powers.into_iter().all(|(factor, _)| {
+            let zero = Literal { polynomial: factor, sign: Sign::ZERO };
+            self.quick_sign(&zero.polynomial).is(Sign::NONZERO) || self.with(&[zero]).search().are_contradictory()
+        })
     }
 
     /// The sign of a polynomial: by the facts, and by literals that differ from it in factors of known sign only.

@@ -76,15 +76,11 @@ pub enum KernelError {
 }
 
 impl KernelError {
-    /// Whether the formula can still be taken as it is written, in certified arithmetic. Where there is a contract, it
-    /// could say more of a root's signs.
+    /// Whether the formula can still be taken as it is written, in certified arithmetic. Without the signs of its
+    /// coefficients a polynomial may have no positive root, or several: that only a contract can say.
     #[must_use]
-    pub fn leaves_the_formula_as_written(&self, has_contract: bool) -> bool {
-        match self {
-            Self::Lower(_) | Self::Written { .. } => false,
-            Self::Root { cause: RootError::Signs(_), .. } => !has_contract,
-            _ => true,
-        }
+    pub fn leaves_the_formula_as_written(&self) -> bool {
+        !matches!(self, Self::Lower(_) | Self::Written { .. } | Self::Root { cause: RootError::Signs(_), .. })
     }
 }
 
