@@ -64,7 +64,7 @@ pub fn derive(kernel: &Kernel) -> Result<Vec<Derived>, Vec<Refusal>> {
 /// rounding up at most.
 ///
 /// # Errors
-/// As [`derive`], and one refusal for every bound that is not the one stated.
+/// As [`derive()`], and one refusal for every bound that is not the one stated.
 pub fn check(kernel: &Kernel) -> Result<Vec<ResultBound>, Vec<Refusal>> {
     let held = derive(kernel)?.into_iter().zip(&kernel.meta.results).map(|(bound, meta)| {
         let name = kernel.name.to_string();

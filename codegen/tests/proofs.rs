@@ -302,8 +302,11 @@ fn kernel_in(domain: &[&str], formula: &str) -> Kernel {
     kernel_of(&text.1)
 }
 
+/// A condition, and points at which it holds, and at which it does not.
+type Decided<'a> = (&'a str, &'a [[f64; 2]], &'a [[f64; 2]]);
+
 fn a_condition_without_a_value_does_not_hold() {
-    let cases: [(&str, &[[f64; 2]], &[[f64; 2]]); 9] = [
+    let cases: [Decided; 9] = [
         ("(x+y)/(x-y) <= 2", &[[5.0, 1.0], [1.0, 2.0]], &[[2.0, 2.0], [0.0, 0.0], [2.0, 1.0]]),
         ("x^-2 >= 4", &[[0.5, 0.0], [-0.25, 1.0]], &[[0.0, 1.0], [1.0, 1.0]]),
         ("(x^2-y^2)/(x-y) > 0", &[[2.0, 1.0]], &[[2.0, 2.0], [-2.0, 1.0]]),

@@ -62,6 +62,10 @@ fn commands_that_share_no_lock_wait_for_each_other() {
 }
 
 /// The command at work on the whole project, and its worker.
+#[expect(
+    clippy::zombie_processes,
+    reason = "whoever asks for the command waits for it; without a worker the test fails"
+)]
 fn at_work(project: &Path, set: Option<(&str, &str)>) -> (Child, u32) {
     let mut command = command(project, &["generate", "--points", "5"]);
     command.stdout(Stdio::null()).stderr(Stdio::piped()).envs(set);

@@ -59,11 +59,11 @@ impl Rounded {
 
     fn of(result: Soft) -> Self {
         let value = result.to_f64();
-        Self::rounded(value, result == Soft::from_f64(value))
+        Self::to_nearest(value, result == Soft::from_f64(value))
     }
 
     /// A number that was rounded to nearest, and whether that left it as it was; NaN where there was none.
-    fn rounded(value: f64, exact: bool) -> Self {
+    fn to_nearest(value: f64, exact: bool) -> Self {
         let fate = match value {
             _ if value.is_nan() => Fate::Missing,
             _ if value.is_infinite() => Fate::Overflows,
@@ -147,7 +147,7 @@ fn in_balls<S: Steps, const L: usize>(steps: &S) -> Option<Answer<S>> {
     let results = steps.results(number, |ball| {
         let accepted = ball.accepted();
         open.set(open.get() | accepted.is_none());
-        accepted.map_or_else(Rounded::undecided, |(value, exact)| Rounded::rounded(value, exact))
+        accepted.map_or_else(Rounded::undecided, |(value, exact)| Rounded::to_nearest(value, exact))
     });
     (!open.get() && !settling.is_unsettled()).then_some(Ok(results))
 }

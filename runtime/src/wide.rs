@@ -37,8 +37,7 @@ impl Wide {
         Wide { high, low: (a - a_part) + (b - b_part) }
     }
 
-    /// `a * b`, exactly (2Prod: fused multiply-add, else Dekker's product; the same bits where it is
-    /// [error-free](Self::error_free)).
+    /// `a * b`, exactly (2Prod: fused multiply-add, else Dekker's product; the same bits where it is `error_free`).
     #[inline(always)]
     pub fn two_product(a: f64, b: f64) -> Self {
         let high = a * b;
