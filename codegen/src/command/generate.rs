@@ -144,7 +144,7 @@ fn each_family(made: &[Made], rows: &[ledger::Row]) -> String {
 /// What the owner of a formula should know of its kernel.
 fn remark(made: &[Made]) {
     for (kernel, because) in made.iter().filter_map(|made| Some((&made.kernel, made.certified_because.as_ref()?))) {
-        output::note(&format!("`{kernel}` keeps its bound at run time, some hundred times slower: {because}"));
+        output::note(&format!("`{kernel}` keeps its bound at run time, several hundred times slower: {because}"));
     }
     for kernel in made.iter().filter(|kernel| !kernel.added.is_empty()) {
         let added = kernel.added.join("`, `");

@@ -17,9 +17,9 @@ const WIDE: [u32; 4] = [20, 9, 16 + 2 * DIVISION, 9 + DIVISION + ROOT];
 /// An operation inside a slice: the mean of its kinds, exact operands or not, with the size kept beside it.
 const IN_SLICE: u32 = 12;
 
-/// The operations of balls of 256 bits, in the same order, and a root of a polynomial.
-const BALL: [u32; 4] = [60, 80, 120, 700];
-const ROOT_OF_BALLS: u32 = 6_000;
+/// The operations of balls of 256 bits, in the same order, and a root of a polynomial: about as many ns as a call takes for each.
+const BALL: [u32; 4] = [100, 130, 700, 1_100];
+const ROOT_OF_BALLS: u32 = 8_000;
 
 /// A falling iteration: about a dozen steps through a polynomial of degree four and its derivative, each with a division.
 const ITERATION: u32 = 12 * (2 * 2 * 4 + DIVISION);

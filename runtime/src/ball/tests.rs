@@ -224,6 +224,25 @@ fn separation_bounds_hold() {
     }
 }
 
+/// As many roots as there are make it smaller, and so do divisors.
+#[test]
+fn separation_bounds_hold_of_many_roots_and_of_quotients() {
+    let settling = Settling::default();
+    let below = |ball: &Ball<64>, exact: Float| {
+        let least = ball.separation.and_then(Separation::least).unwrap();
+        assert!(exact.abs() >= Float::with_val(BITS, 1) << i32::try_from(least).unwrap(), "{least}");
+    };
+    for numbers in [[10.0, 11.0, 5.0, 18.0], [2.0, 37.0, 15.0, 13.0], [1e6, 1e6 + 3.0, 1e6 + 1.0, 1e6 + 2.0]] {
+        let exact = numbers.map(|x| Float::with_val(BITS, x).sqrt());
+        below(&four_roots(numbers, &settling), Float::with_val(BITS, &exact[0] + &exact[1]) - &exact[2] - &exact[3]);
+    }
+    for divisor in [3.0, 5.0, 7.0, 1e15 + 37.0] {
+        let quotient = Ball::<64>::new(1.0, &settling).over(&Ball::new(divisor, &settling));
+        let near = Ball::new(1.0 / divisor, &settling);
+        below(&quotient.plus(&near.negated()), Float::with_val(BITS, 1) / divisor - 1.0 / divisor);
+    }
+}
+
 #[test]
 fn what_has_no_value_and_what_is_unknown_are_told_apart() {
     let settling = Settling::default();
