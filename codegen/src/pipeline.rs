@@ -1,7 +1,7 @@
 //! The pipeline: families in, the text of every generated file out, each kernel proved equal to its references.
 
 use crate::bound_proof::{BoundError, certified_bound_proof};
-use crate::kernel::{KernelError, ProofError, make, make_as_written, prove};
+use crate::kernel::{KernelError, ProofError, WrittenError, make, make_as_written, prove};
 use crate::program::cost;
 use crate::rust::{KernelText, ModuleText, print_module};
 use crate::stated::with_certificates;
@@ -172,7 +172,9 @@ fn take_as_written(
 }
 
 fn as_written(family: &Family, kernel: &KernelContract, because: String) -> Result<KernelText, KernelError> {
-    make_as_written(&family.contract, kernel, &references_of(family, kernel), because)
+    let made = make_as_written(&family.contract, kernel, &references_of(family, kernel), because)?;
+    let too_large = || KernelError::Written { function: kernel.name.clone(), cause: WrittenError::TooLarge };
+    reads_back(family, &made).then_some(made).ok_or_else(too_large)
 }
 
 /// Why a text does not read back: the kernel language has limits, for slices above all.

@@ -31,6 +31,9 @@ const STEPS: usize = 1_000;
 /// What makes the points: moderate magnitudes, and places where terms vanish.
 const MAKERS: [Maker; 5] = [Maker::Logarithmic, Maker::Reals, Maker::Edges, Maker::Subterms, Maker::NearEqual];
 
+/// Of so many points one is moderate.
+const MODERATE: usize = 8;
+
 /// Whether every input is of a size at which the digits of a printed form can settle: it cancels where a kernel does not.
 fn is_moderate(point: &[f64]) -> bool {
     point.iter().all(|input| *input == 0.0 || (1e-60..=1e60).contains(&input.abs()))
@@ -72,10 +75,9 @@ impl<'a> Case<'a> {
     pub fn check(&self, seed: u64, count: usize) -> Result<usize, String> {
         let mut judged = 0;
         for maker in MAKERS {
-            for mut point in self.judge.space.inside(maker, seed, count).list {
-                let fits = is_moderate(&point)
-                    && self.bind(&mut point, PRECISIONS.0)?.is_some()
-                    && self.judge.space.admits(&point);
+            let points = self.judge.space.inside(maker, seed, MODERATE * count).list;
+            for mut point in points.into_iter().filter(|point| is_moderate(point)).take(count) {
+                let fits = self.bind(&mut point, PRECISIONS.0)?.is_some() && self.judge.space.admits(&point);
                 if fits && self.check_at(&mut point)? {
                     judged += 1;
                 }

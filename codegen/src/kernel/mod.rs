@@ -10,6 +10,7 @@ mod read_back;
 mod written;
 
 pub use proof::{ProofError, prove};
+pub use written::WrittenError;
 
 use crate::algebra::{TooMuchWork, limited};
 use crate::expression::{Expr, LowerError, lower};
@@ -25,7 +26,7 @@ use crate::worksheet::contract::{Contract, KernelContract, ResultContract};
 use closedform_maxima::{Definition, to_latex};
 use closedform_syntax::Precision;
 use thiserror::Error;
-use written::{Written, WrittenError};
+use written::Written;
 
 /// Why no kernel can be made.
 #[derive(Debug, Error)]

@@ -29,6 +29,9 @@ pub enum WrittenError {
     /// A quotient by the number zero.
     #[error("it divides by zero")]
     DivisionByZero,
+    /// A formula of very many steps.
+    #[error("it has more steps than a kernel may have, written one by one: split it into functions of fewer")]
+    TooLarge,
     /// The text takes a step that no formula as written has.
     #[error("its text has steps of another precision")]
     Slice,
