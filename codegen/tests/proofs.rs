@@ -25,6 +25,7 @@ fn what_is_proved_is_what_is_said() {
     a_condition_without_a_value_does_not_hold();
     what_a_formula_needs_is_required_where_no_contract_says_it();
     a_domain_may_be_a_single_point();
+    a_formula_as_written_is_proved_step_by_step();
 }
 
 fn turn_of_the_machine() -> Turn {
@@ -362,5 +363,20 @@ fn a_domain_may_be_a_single_point() {
         let kernel = kernel_in(domain, "x*y+1/x");
         assert!(results(&kernel, &[9.0, 2.0]).is_ok());
         assert!(results(&kernel, &[9.0_f64.next_up(), 2.0]).is_err());
+    }
+}
+
+fn a_formula_as_written_is_proved_step_by_step() {
+    let (family, text) = made(ONE, "f(x,y):=1+max(x,2*y)$\n");
+    let contract = &family.contract.kernels[0];
+    assert!(text.contains("precision = \"certified\""), "{text}");
+    assert!(proof(&family, contract, &kernel_of(&text)).is_ok());
+    for (right, wrong) in
+        [("1.0 + ", "1.0 - "), ("2.0 * y", "2.5 * y"), ("max(", "min("), ("require!(y > ", "require!(x > ")]
+    {
+        let (before, function) = text.split_at(text.find("pub fn").unwrap());
+        assert!(function.contains(right), "{right} in {function}");
+        let doctored = format!("{before}{}", function.replacen(right, wrong, 1));
+        assert!(proof(&family, contract, &kernel_of(&doctored)).is_err(), "{wrong}");
     }
 }

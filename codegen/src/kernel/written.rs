@@ -5,6 +5,7 @@
 
 use super::domain::order_of;
 use crate::expression::{Expr, LowerError, lower};
+use crate::field::Sign;
 use crate::program::{Condition, Graph, Node, Order};
 use crate::worksheet::contract::KernelContract;
 use crate::worksheet::domain::Condition as Contracted;
@@ -54,7 +55,7 @@ impl<'a> Written<'a> {
         let mut graph = Graph::default();
         // first, so that positions agree with those of the text
         for index in 0..inputs.len() {
-            graph.input(index, crate::field::Sign::ANY);
+            graph.input(index, Sign::ANY);
         }
         Self { graph, inputs }
     }
@@ -75,8 +76,7 @@ impl<'a> Written<'a> {
     /// # Errors
     /// When it has others than a formula as written.
     pub fn text(&mut self, source: &SourceKernel) -> Result<Steps, WrittenError> {
-        let mut slots: Vec<Node> =
-            (0..self.inputs.len()).map(|index| self.graph.input(index, crate::field::Sign::ANY)).collect();
+        let mut slots: Vec<Node> = (0..self.inputs.len()).map(|index| self.graph.input(index, Sign::ANY)).collect();
         let requires = source.requires.iter().map(|require| self.text_condition(&require.condition, &slots));
         let conditions = requires.collect::<Result<_, _>>()?;
         for step in &source.lets {
@@ -125,7 +125,7 @@ impl<'a> Written<'a> {
     fn input(&mut self, name: &str) -> Result<Node, WrittenError> {
         let index = self.inputs.iter().position(|input| input == name);
         let index = index.ok_or_else(|| WrittenError::UnknownName(name.to_owned()))?;
-        Ok(self.graph.input(index, crate::field::Sign::ANY))
+        Ok(self.graph.input(index, Sign::ANY))
     }
 
     fn sum(&mut self, items: &[Expr]) -> Result<Node, WrittenError> {

@@ -17,7 +17,7 @@ use std::time::Duration;
 /// The environment variable that says how many seconds of processor time one kernel may take.
 pub(super) const LIMIT: &str = "CLOSEDFORM_LIMIT";
 
-/// Where it says nothing: a hundred times what the slowest known kernel takes.
+/// Where it says nothing: far more than any known kernel takes.
 const USUAL_LIMIT: u64 = 900;
 
 /// What Symbolica says where another process of the machine uses it, before it aborts.
