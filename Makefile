@@ -7,12 +7,13 @@ SEED ?= 1
 .PHONY: run test tools
 
 run: tools
-	@echo "building the generator and what it needs; the first time that takes some minutes, most of them for Symbolica and GMP"
-	$(CARGO) build --package closedform-codegen
-	$(CARGO) run --quiet --package closedform-codegen -- generate
+	@echo "building the generator; the first time that takes some minutes, most of them for Symbolica and GMP"
+	$(CARGO) build --package closedform-symbolica
+	$(CARGO) run --package closedform-cli -- generate
 
 test: tools
-	PROPTEST_RNG_SEED=$(SEED) $(CARGO) test --workspace --no-fail-fast
+	$(CARGO) test --package closedform-symbolica
+	PROPTEST_RNG_SEED=$(SEED) $(CARGO) test --no-fail-fast
 
 # GMP is built from source and needs m4; the judges run the worksheets in Maxima, and ask it for functions of its library
 # `stringproc`, which Debian keeps in a package of its own.

@@ -22,9 +22,9 @@ fn the_pictures_are_up_to_date() {
     let fresh = tempfile::tempdir().expect("a folder");
     let status = Command::new(env!("CARGO_BIN_EXE_closedform-motion")).arg("gallery").arg(fresh.path()).status();
     assert!(status.expect("runs").success());
-    let (drawn, kept) = (files(fresh.path()), files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../pictures")));
+    let (drawn, kept) = (files(fresh.path()), files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("pictures")));
     let names = |files: &BTreeMap<String, Vec<u8>>| files.keys().cloned().collect::<Vec<_>>();
-    let remedy = "run `cargo run -p closedform-motion -- gallery pictures`";
+    let remedy = "run `cargo run -p closedform-motion -- gallery motion/pictures`";
     assert_eq!(names(&drawn), names(&kept), "{remedy}");
     for (name, picture) in &drawn {
         assert!(picture.len() < MOST_BYTES, "{name} has {} bytes", picture.len());

@@ -6,7 +6,7 @@ use syn::punctuated::Punctuated;
 use syn::{Attribute, Expr, ExprLit, Lit, LitStr, Meta, MetaList, Path, Token};
 
 use crate::error::{self, Errors};
-use crate::kernel::{self, Output, Precision, ResultMeta};
+use crate::kernel::{self, Certificate, Output, Precision, ResultMeta};
 
 /// The attribute as written, before the results of the kernel are known.
 #[derive(Default)]
@@ -42,7 +42,8 @@ pub fn parse(attribute: TokenStream, errors: &mut Errors) -> Written {
     let parsed = Punctuated::<Meta, Token![,]>::parse_terminated.parse2(attribute);
     let items = errors.take(parsed).unwrap_or_default();
     for (position, item) in items.iter().enumerate() {
-        if items.iter().take(position).any(|earlier| earlier.path() == item.path()) {
+        let named = |key| items.iter().take(position).any(|earlier| earlier.path().is_ident(key));
+        if item.path().get_ident().is_some_and(named) {
             errors.push(item.path(), error::ATTRIBUTE_TWICE);
         } else {
             written.read(item, errors);
@@ -97,7 +98,7 @@ impl Written {
             precision: self.precision,
             results,
             bound_place: self.bound_place,
-            certificate: self.certificate.clone(),
+            certificate: self.certificate.as_ref().map(|text| Certificate { text: text.value(), place: text.span() }),
         }
     }
 

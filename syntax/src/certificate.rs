@@ -5,10 +5,10 @@
 //! computes it without a proof.
 
 use std::fmt::Write as _;
-use syn::{Error, LitStr, Result};
+use syn::{Error, Result};
 
 use crate::error;
-use crate::kernel::{Kernel, Output};
+use crate::kernel::{Certificate, Kernel, Output};
 use crate::print::{condition_text, expression_text};
 
 /// The version of the rules by which `closedform-bounds` proves. Raise it when a rule changes so that a bound which was
@@ -29,20 +29,19 @@ pub fn certified(kernel: &Kernel) -> Result<()> {
     match (kernel.meta.bound_place, &kernel.meta.certificate) {
         (None, None) => Ok(()),
         (Some(place), None) => Err(Error::new(place, error::UNCERTIFIED)),
-        (None, Some(alone)) => Err(Error::new(alone.span(), error::CERTIFICATE_ALONE)),
+        (None, Some(alone)) => Err(Error::new(alone.place, error::CERTIFICATE_ALONE)),
         (Some(_), Some(written)) => compare(written, &certificate(kernel)),
     }
 }
 
-fn compare(written: &LitStr, right: &str) -> Result<()> {
-    let text = written.value();
-    let message = match rules_of(&text) {
+fn compare(written: &Certificate, right: &str) -> Result<()> {
+    let message = match rules_of(&written.text) {
         None => error::CERTIFICATE,
-        Some(RULES) if text == right => return Ok(()),
+        Some(RULES) if written.text == right => return Ok(()),
         Some(RULES) => error::CERTIFICATE_STALE,
         Some(_) => error::CERTIFICATE_RULES,
     };
-    Err(Error::new(written.span(), message))
+    Err(Error::new(written.place, message))
 }
 
 /// The version of the rules that issued a certificate.

@@ -16,7 +16,7 @@ use crate::limits;
 const NO_TOKENS: &str = "not Rust: here begins what is never closed, or what no token begins with";
 
 /// A function under `#[kernel]`, not yet read as a kernel.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Source {
     /// `#[kernel]` or `#[closedform::kernel]`, with arguments or without.
     pub attribute: Attribute,

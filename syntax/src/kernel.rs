@@ -1,10 +1,11 @@
 //! A kernel as a tree, checked and with its names resolved.
 
 use proc_macro2::{Ident, Span};
-use syn::{Attribute, LitStr, Visibility};
+use std::fmt;
+use syn::{Attribute, Visibility};
 
 /// A straight-line function: conditions on its inputs, then one `let` a step, then its results.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Kernel {
     /// What stands above the function besides `#[kernel]`: documentation, `cfg`, lints.
     pub attributes: Vec<Attribute>,
@@ -22,6 +23,17 @@ pub struct Kernel {
     pub lets: Vec<Let>,
     /// What it returns.
     pub output: Output,
+}
+
+// By hand, because the attributes of syn print themselves only with its feature `extra-traits`: every user of `#[kernel]`
+// would wait for that to compile.
+impl fmt::Debug for Kernel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { attributes: _, visibility: _, name, meta, inputs, requires, lets, output } = self;
+        let mut parts = f.debug_struct("Kernel");
+        parts.field("name", name).field("meta", meta).field("inputs", inputs).field("requires", requires);
+        parts.field("lets", lets).field("output", output).finish_non_exhaustive()
+    }
 }
 
 /// What the attribute `#[kernel(..)]` tells.
@@ -46,7 +58,16 @@ pub struct Meta {
     /// Where bounds are stated, if any are.
     pub bound_place: Option<Span>,
     /// What shows that they were proved; read by [`certified`](crate::certified).
-    pub certificate: Option<LitStr>,
+    pub certificate: Option<Certificate>,
+}
+
+/// What is written as the certificate of bounds.
+#[derive(Clone, Debug)]
+pub struct Certificate {
+    /// The text.
+    pub text: String,
+    /// Where it stands.
+    pub place: Span,
 }
 
 /// What the function of a kernel computes in.

@@ -52,7 +52,7 @@ pub fn within<'a>(files: &'a [Source], folder: &str) -> Vec<&'a Source> {
 
 /// The modules of the generator that the files of one of them name by `crate::`.
 pub fn modules_named(files: &[Source], module: &str) -> BTreeSet<String> {
-    let files = within(files, &format!("codegen/src/{module}/"));
+    let files = within(files, &format!("codegen/generator/src/{module}/"));
     let named = files.iter().flat_map(|file| code(&file.text)).flat_map(|line| line.split("crate::").skip(1));
     let heads = named.map(|path| path.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default());
     heads.filter(|head| *head != module).map(str::to_owned).collect()
@@ -97,7 +97,7 @@ mod tests {
     #[test]
     fn modules_are_found_wherever_they_are_named() {
         let text = "use crate::field::Sign;\nfn f(x: crate::program::Node) {} // crate::rust\n";
-        let file = Source { path: "codegen/src/stable/a.rs".to_owned(), text: text.to_owned() };
+        let file = Source { path: "codegen/generator/src/stable/a.rs".to_owned(), text: text.to_owned() };
         let named = modules_named(&[file], "stable");
         assert_eq!(named.into_iter().collect::<Vec<_>>(), ["field", "program"]);
     }

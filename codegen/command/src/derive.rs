@@ -1,0 +1,66 @@
+//! `closedform derive`: Maxima runs the worksheets; references, golden values and verdicts are written anew.
+
+use super::generate::worksheets;
+use super::verdicts::Page;
+use clap::Args as ClapArgs;
+use closedform_project::derive::{Options, derive};
+use closedform_project::family::family_names;
+use closedform_system::output;
+use miette::bail;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Run worksheets in Maxima and write their reference expressions and golden values, and the verdicts on the scans
+#[derive(Debug, ClapArgs)]
+pub struct Args {
+    /// The families; all of the folder if none is named
+    families: Vec<String>,
+    /// The folder of worksheets and contracts, if not this project's
+    #[arg(long, value_name = "DIR")]
+    folder: Option<PathBuf>,
+    /// Let worksheets start programs, touch files and run Lisp, with your rights
+    #[arg(long)]
+    allow_system: bool,
+    /// How many seconds of processor time each worksheet may use, 120 otherwise; CLOSEDFORM_MAXIMA_LIMIT is the same for
+    /// all commands
+    #[arg(long, value_name = "SECONDS")]
+    limit: Option<u64>,
+}
+
+/// Derives all families first, and writes their files then.
+///
+/// # Errors
+///
+/// When a worksheet asks, fails, loops or does not fulfil its contract, or a verdict is wrong; nothing is written then.
+pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
+    let folder = args.folder.clone().unwrap_or_else(|| worksheets(root));
+    let names = if args.families.is_empty() { family_names(&folder)? } else { args.families.clone() };
+    if names.is_empty() {
+        bail!(
+            help = "write a worksheet NAME.mac and its contract NAME.toml there; ARCHITECTURE.md shows a contract",
+            "{} holds no contract NAME.toml: there is nothing to derive",
+            folder.display()
+        );
+    }
+    let mut options = Options::default();
+    options.maxima.allow_system |= args.allow_system;
+    if let Some(seconds) = args.limit {
+        options.maxima.limit = Duration::from_secs(seconds);
+    }
+    let mut derived = Vec::new();
+    for name in &names {
+        derived.push((name, derive(&folder, name, &options)?));
+    }
+    let page = Page::of(&folder, &names, &options.maxima)?;
+    let mut said = String::new(); // when all is written
+    for (name, family) in derived {
+        family.write()?;
+        let (expressions, values) = (family.definitions.len(), family.values.len());
+        said += &format!("{name}: {expressions} reference expressions, {values} golden values\n");
+    }
+    if let Some(page) = page {
+        page.write()?;
+        said += &page.summary();
+    }
+    Ok(output::print(&said)?)
+}

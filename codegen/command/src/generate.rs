@@ -1,0 +1,190 @@
+//! `closedform generate`: references to kernels, proved and measured; or a worksheet of one's own to a crate of its own.
+
+use super::{columns, readme};
+use crate::own_crate::{self, Draft, Runtime};
+use crate::worker::{self, Source};
+use clap::Args as ClapArgs;
+use closedform_measure::catalogue::Catalogue;
+use closedform_measure::ledger;
+use closedform_project::folder;
+use closedform_project::generated::Made;
+use closedform_system::output;
+use miette::{IntoDiagnostic, WrapErr, bail};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Make the kernels from the reference expressions
+#[derive(Debug, ClapArgs)]
+pub struct Args {
+    /// A worksheet of definitions `f(x,y) := ..` to make a crate of, instead of this project's families
+    #[arg(long, value_name = "FILE.mac", requires = "out")]
+    input: Option<PathBuf>,
+    /// The folder of that crate: a new one, or one with a crate, where only src/generated/ is written
+    #[arg(long, value_name = "DIR", requires = "input")]
+    out: Option<PathBuf>,
+    /// Where a new crate takes the runtime from: `version`, the URL of a git repository, or a folder [default: the folder
+    /// that this command was built from, as a relative path]
+    #[arg(long, value_name = "WHERE", requires = "input")]
+    runtime: Option<Runtime>,
+    /// A row for every kernel, not one a family
+    #[arg(long)]
+    all: bool,
+    /// How many points of each kernel's domain to measure for the table; README.md and the ledger are written with the default only
+    #[arg(long, default_value_t = ledger::POINTS)]
+    points: u32,
+}
+
+/// Generates.
+///
+/// # Errors
+///
+/// When a family is wrong, a kernel cannot be made or proved, or files cannot be written.
+pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
+    match (&args.input, &args.out) {
+        (Some(input), Some(out)) => own_crate(args, input, out, root),
+        _ => project(args, root),
+    }
+}
+
+/// Where this project's worksheets are.
+#[must_use]
+pub fn worksheets(root: &Path) -> PathBuf {
+    root.join("maxima-ref")
+}
+
+/// Where this project's kernels are.
+#[must_use]
+pub fn kernels(root: &Path) -> PathBuf {
+    root.join("kernels/src/generated")
+}
+
+fn project(args: &Args, root: &Path) -> miette::Result<()> {
+    let generated = worker::run(&Source::Folder(worksheets(root)))?;
+    if generated.kernels.is_empty() {
+        bail!(
+            help = "write a worksheet NAME.mac and its contract NAME.toml there and run `closedform derive`; or make a crate \
+                    of a worksheet alone: `closedform generate --input NAME.mac --out DIR`",
+            "{} holds no contract NAME.toml: there is nothing to make kernels of",
+            worksheets(root).display()
+        );
+    }
+    let target = kernels(root);
+    let mut changed = write(&target, &generated.files)?;
+    let catalogue = Catalogue::load(&target)?;
+    let rows = ledger::rows(root, &catalogue, args.points)?;
+    if args.points == ledger::POINTS {
+        changed += usize::from(readme::update(root, &catalogue, &rows)?);
+        changed += usize::from(ledger::update(root, &rows)?);
+    }
+    report(&generated.kernels, &rows, args.all)?;
+    remark(&generated.kernels);
+    hold(&rows)?;
+    output::note(&format!(
+        "{} kernels, all proved equal to their reference expressions, all bounds proved; {changed} files changed",
+        generated.kernels.len()
+    ));
+    Ok(())
+}
+
+fn own_crate(args: &Args, input: &Path, out: &Path, root: &Path) -> miette::Result<()> {
+    own_crate::check(out)?;
+    let generated = worker::run(&Source::Worksheet(input.to_owned()))?;
+    let draft = Draft::new(&generated)?;
+    let rows = ledger::rows(out, &draft.catalogue()?, args.points)?;
+    report(&generated.kernels, &rows, true)?;
+    remark(&generated.kernels);
+    hold(&rows)?;
+    let runtime = args.runtime.clone().unwrap_or_default();
+    for note in own_crate::write(&draft, out, &runtime, root)? {
+        output::note(&note);
+    }
+    let count = generated.kernels.len();
+    output::note(&format!("{count} kernels in {}: `cargo test` there runs their judges", out.display()));
+    Ok(())
+}
+
+fn write(target: &Path, files: &BTreeMap<String, String>) -> miette::Result<usize> {
+    let foreign = |path: &PathBuf| std::fs::read_to_string(path).is_ok_and(|text| !folder::is_generated(&text));
+    if let Some(path) = files.keys().map(|name| target.join(name)).find(foreign) {
+        bail!(
+            help =
+                "a file without the mark of this command is never touched: rename it, or delete it if it is not needed",
+            "{} was not generated",
+            path.display()
+        );
+    }
+    folder::replace(target, files).into_diagnostic().wrap_err_with(|| format!("cannot write {}", target.display()))
+}
+
+/// Prints what was made: a row for every kernel, or for every family.
+fn report(made: &[Made], rows: &[ledger::Row], all: bool) -> miette::Result<()> {
+    let table = if all { each_kernel(made, rows) } else { each_family(made, rows) };
+    Ok(output::print(&table)?)
+}
+
+fn each_kernel(made: &[Made], rows: &[ledger::Row]) -> String {
+    let lines = made.iter().map(|kernel| {
+        let worst = format!("{:.2}", ledger::worst_of(rows, &kernel.kernel));
+        [kernel.kernel.clone(), worst, kernel.bound.to_string(), kernel.rules.join(" ")]
+    });
+    columns::text(["kernel", "worst ulp", "bound", "rules"], lines)
+}
+
+fn each_family(made: &[Made], rows: &[ledger::Row]) -> String {
+    let mut families: BTreeMap<&str, Vec<&Made>> = BTreeMap::new();
+    for kernel in made {
+        families.entry(kernel.kernel.split("::").next().unwrap_or_default()).or_default().push(kernel);
+    }
+    let line = |(family, kernels): (&&str, &Vec<&Made>)| {
+        let worst = kernels.iter().map(|kernel| ledger::worst_of(rows, &kernel.kernel)).fold(0.0, f64::max);
+        let bound = kernels.iter().map(|kernel| kernel.bound).fold(0.0, f64::max);
+        [(*family).to_owned(), kernels.len().to_string(), format!("{worst:.2}"), bound.to_string()]
+    };
+    columns::text(["family", "kernels", "worst ulp", "largest bound"], families.iter().map(line))
+}
+
+/// What the owner of a formula should know of its kernel.
+fn remark(made: &[Made]) {
+    for (kernel, because) in made.iter().filter_map(|made| Some((&made.kernel, made.certified_because.as_ref()?))) {
+        output::note(&format!("`{kernel}` keeps its bound at run time, several hundred times slower: {because}"));
+    }
+    for kernel in made.iter().filter(|kernel| !kernel.added.is_empty()) {
+        let added = kernel.added.join("`, `");
+        let kernel = &kernel.kernel;
+        output::note(&format!("`{kernel}` requires `{added}` too: its formula needs it, its contract does not say it"));
+    }
+}
+
+/// Every measured error is within its bound.
+fn hold(rows: &[ledger::Row]) -> miette::Result<()> {
+    let wrong: Vec<&ledger::Row> = rows.iter().filter(|row| row.worst > row.bound).collect();
+    let [first, ..] = wrong.as_slice() else { return Ok(()) };
+    bail!(
+        help =
+            "a bound that does not hold is a mistake of the generator or of the domain; `closedform verify` shows more",
+        "{} {} its bound: `{}` of `{}` is off by {} ulp at {}",
+        wrong.len(),
+        if wrong.len() == 1 { "result exceeds" } else { "results exceed" },
+        first.result,
+        first.kernel,
+        first.worst_ulp,
+        first.worst_inputs
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use closedform_measure::catalogue::fixture;
+    use closedform_project::drawn::{drawn, has};
+
+    #[test]
+    fn an_error_beyond_its_bound_is_refused() {
+        let (folder, catalogue) = fixture::catalogue();
+        let rows = ledger::rows(folder.path(), &catalogue, 50).unwrap();
+        let error = hold(&rows).unwrap_err();
+        has(&drawn(error.as_ref()), &["1 result exceeds its bound", "`slope` of `line::slope`", "closedform verify"]);
+        let right: Vec<ledger::Row> = rows.into_iter().filter(|row| row.kernel != "line::slope").collect();
+        assert!(hold(&right).is_ok());
+    }
+}

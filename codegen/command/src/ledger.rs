@@ -1,0 +1,60 @@
+//! `closedform ledger`: what every result promises, what was measured and what it costs, written to `tests/LEDGER.csv`.
+
+use std::path::Path;
+
+use super::readme;
+use closedform_measure::catalogue::Catalogue;
+use closedform_measure::ledger::{self, Row};
+use closedform_system::output;
+
+/// Write the ledger of all kernels and the table in README.md, measured at the kept worst inputs and a sample
+#[derive(Clone, Debug, clap::Args)]
+pub struct Args {
+    /// Write JSON to standard output instead of a table
+    #[arg(long)]
+    json: bool,
+}
+
+/// Writes the ledger.
+///
+/// # Errors
+///
+/// When kernels cannot be read or measured, or files cannot be written.
+pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
+    let catalogue = Catalogue::open(root)?;
+    let rows = ledger::rows(root, &catalogue, ledger::POINTS)?;
+    let changed = usize::from(readme::update(root, &catalogue, &rows)?) + usize::from(ledger::update(root, &rows)?);
+    if args.json {
+        output::print_json(&rows)?
+    } else {
+        output::print(&text(&rows))?
+    }
+    output::note(&format!("{} results; {changed} files changed", rows.len()));
+    Ok(())
+}
+
+fn text(rows: &[Row]) -> String {
+    let mut table = crate::columns::table([
+        "kernel",
+        "result",
+        "bound",
+        "worst",
+        "as Maxima writes it",
+        "cost",
+        "faithful",
+        "naive",
+    ]);
+    table.add_rows(rows.iter().map(|row| {
+        [
+            row.kernel.clone(),
+            row.result.clone(),
+            row.bound_ulp.clone(),
+            row.worst_ulp.clone(),
+            row.naive_ulp.clone(),
+            row.plain_cost.to_string(),
+            row.faithful_cost.to_string(),
+            row.naive_cost.map_or_else(String::new, |cost| cost.to_string()),
+        ]
+    }));
+    format!("{table}\nerrors in ulp, costs in additions\n")
+}

@@ -1,0 +1,96 @@
+//! The command `closedform`: reads its arguments and says what went wrong.
+
+mod bound;
+mod check;
+mod columns;
+mod derive;
+mod description;
+mod eval;
+mod generate;
+mod ledger;
+mod list;
+mod motion;
+mod mutants;
+mod own_crate;
+mod program;
+mod readme;
+mod show;
+mod verdicts;
+mod verify;
+mod worker;
+
+use clap::{Parser, Subcommand};
+use closedform_project::root::project_root;
+use closedform_system::output;
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Maxima derivations to Rust kernels that keep their digits
+#[derive(Parser)]
+#[command(name = "closedform", version)]
+struct Cli {
+    /// The project, if not the one around the current folder
+    #[arg(long, global = true, value_name = "DIR")]
+    root: Option<PathBuf>,
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Generate(generate::Args),
+    Check(check::Args),
+    Derive(derive::Args),
+    List(list::Args),
+    Show(show::Args),
+    Eval(eval::Args),
+    Verify(verify::Args),
+    Ledger(ledger::Args),
+    Mutants(mutants::Args),
+    Bound(bound::Args),
+    /// Plan a move: times, peaks against limits, and the table that a controller takes
+    Plan(motion::Args),
+    /// The same, with a picture
+    Plot(motion::Args),
+}
+
+fn main() -> ExitCode {
+    let done = match Cli::try_parse() {
+        Ok(cli) => run(cli),
+        Err(answer) if answer.use_stderr() => answer.exit(),
+        // help and version
+        Err(answer) => said(&answer),
+    };
+    match done {
+        Ok(code) => code,
+        Err(report) => {
+            output::note(&format!("{report:?}"));
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn said(answer: &clap::Error) -> miette::Result<ExitCode> {
+    output::unless_closed(answer.print().and_then(|()| io::stdout().flush()))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn run(cli: Cli) -> miette::Result<ExitCode> {
+    let root = || project_root(cli.root.as_deref());
+    match cli.command {
+        Command::Plan(args) => return motion::run("plan", &args),
+        Command::Plot(args) => return motion::run("plot", &args),
+        Command::Generate(args) => generate::run(&args, &root()?)?,
+        Command::Check(args) => check::run(&args, &root()?)?,
+        Command::Derive(args) => derive::run(&args, &root()?)?,
+        Command::List(args) => list::run(&args, &root()?)?,
+        Command::Show(args) => show::run(&args, &root()?)?,
+        Command::Eval(args) => eval::run(&args, &root()?)?,
+        Command::Verify(args) => verify::run(&args, &root()?)?,
+        Command::Ledger(args) => ledger::run(&args, &root()?)?,
+        Command::Mutants(args) => mutants::run(&args, &root()?)?,
+        Command::Bound(args) => bound::run(&args)?,
+    }
+    Ok(ExitCode::SUCCESS)
+}

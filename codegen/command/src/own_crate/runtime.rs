@@ -1,0 +1,111 @@
+//! The runtime as a dependency of a new crate: a folder, a git repository or a version.
+
+use std::path::{Component, Path, PathBuf};
+use std::str::FromStr;
+
+use super::OwnCrateError;
+use crate::program::checkout;
+
+/// Where a new crate takes the runtime from.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Runtime {
+    /// From the project at hand, or the checkout that this command was built in; if there is none, the published version.
+    #[default]
+    Beside,
+    /// The published version.
+    Version,
+    /// A git repository.
+    Git(String),
+    /// A folder.
+    Folder(PathBuf),
+}
+
+impl FromStr for Runtime {
+    type Err = std::convert::Infallible;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let is_address = text.contains("://") || text.starts_with("git@") || text.ends_with(".git");
+        Ok(match text {
+            "version" => Self::Version,
+            _ if is_address => Self::Git(text.to_owned()),
+            _ => Self::Folder(text.into()),
+        })
+    }
+}
+
+impl Runtime {
+    /// What stands behind `closedform = ` in the manifest of the crate in `out`, which exists.
+    pub(super) fn dependency(&self, out: &Path, root: &Path) -> Result<String, OwnCrateError> {
+        match self {
+            Self::Version => Ok(version()),
+            Self::Git(url) => Ok(format!("{{ git = {} }}", quoted(url))),
+            Self::Folder(folder) if is_runtime(folder) => path(out, folder),
+            Self::Folder(folder) if is_runtime(&folder.join("runtime")) => path(out, &folder.join("runtime")),
+            Self::Folder(folder) => Err(OwnCrateError::NoRuntime(folder.clone())),
+            Self::Beside => {
+                let beside = [root, checkout()];
+                let found = beside.iter().map(|root| root.join("runtime")).find(|folder| is_runtime(folder));
+                found.map_or_else(|| Ok(version()), |folder| path(out, &folder))
+            }
+        }
+    }
+}
+
+fn is_runtime(folder: &Path) -> bool {
+    let manifest = std::fs::read_to_string(folder.join("Cargo.toml")).unwrap_or_default();
+    let table: Option<toml::Table> = manifest.parse().ok();
+    let name = table.as_ref().and_then(|table| table.get("package")?.get("name")?.as_str());
+    name == Some("closedform")
+}
+
+fn version() -> String {
+    quoted(env!("CARGO_PKG_VERSION"))
+}
+
+fn path(out: &Path, folder: &Path) -> Result<String, OwnCrateError> {
+    let whole = |path: &Path| path.canonicalize().map_err(|cause| OwnCrateError::write(path, cause));
+    let relative = relative(&whole(out)?, &whole(folder)?);
+    Ok(format!("{{ path = {} }}", quoted(&relative.to_string_lossy().replace('\\', "/"))))
+}
+
+/// The way from one whole path to another; the other itself where they have no root in common.
+fn relative(from: &Path, to: &Path) -> PathBuf {
+    let shared = from.components().zip(to.components()).take_while(|(one, other)| one == other).count();
+    if shared == 0 {
+        return to.to_owned();
+    }
+    let up = from.components().skip(shared).map(|_| Component::ParentDir);
+    up.chain(to.components().skip(shared)).collect()
+}
+
+/// As a string of TOML.
+fn quoted(text: &str) -> String {
+    toml::Value::from(text).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_way_leads_over_what_both_share() {
+        let way = |from: &str, to: &str| relative(Path::new(from), Path::new(to)).display().to_string();
+        assert_eq!(way("/a/mine", "/a/closedform/runtime"), "../closedform/runtime");
+        assert_eq!(way("/a/b/c", "/x/runtime"), "../../../x/runtime");
+        assert_eq!(way("/a/closedform", "/a/closedform/runtime"), "runtime");
+    }
+
+    #[test]
+    fn words_say_where_the_runtime_is() {
+        let read = |text: &str| text.parse::<Runtime>().unwrap();
+        assert_eq!(read("version"), Runtime::Version);
+        assert_eq!(read("https://host/closedform"), Runtime::Git("https://host/closedform".to_owned()));
+        assert_eq!(read("../closedform"), Runtime::Folder("../closedform".into()));
+        let out = tempfile::tempdir().unwrap();
+        let said = |text: &str| read(text).dependency(out.path(), Path::new("")).map_err(|error| error.to_string());
+        assert_eq!(said("git@host:a.git"), Ok("{ git = \"git@host:a.git\" }".to_owned()));
+        assert_eq!(said("version"), Ok(format!("\"{}\"", env!("CARGO_PKG_VERSION"))));
+        assert!(said("nowhere").unwrap_err().contains("no runtime at nowhere"));
+        assert!(said(&checkout().to_string_lossy()).unwrap().ends_with("runtime\" }"));
+    }
+}

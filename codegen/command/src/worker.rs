@@ -1,0 +1,137 @@
+//! The generator as a process of its own, for everything that needs Symbolica.
+//!
+//! Symbolica without a licence key prints its notice on standard output and aborts the process if another one of the machine
+//! uses it. The command therefore starts the program `closedform-symbolica` when it is its turn, hands the notice on to
+//! standard error, and tells an abort of Symbolica, after which it tries again, from a crash, which is a mistake.
+
+mod attempt;
+
+use crate::program::{GENERATOR, ProgramError};
+use attempt::{Ending, LIMIT, attempt};
+use closedform_project::family::{Family, FamilyError, families};
+use closedform_project::generated::Generated;
+use closedform_system::output::note;
+use closedform_system::turn::{Patience, Turn, TurnError, WAIT};
+use miette::Diagnostic;
+use std::io;
+use std::path::PathBuf;
+use std::process::ExitStatus;
+use std::time::Duration;
+use thiserror::Error;
+
+/// What is to be generated.
+#[derive(Clone, Debug)]
+pub enum Source {
+    /// All families of a folder.
+    Folder(PathBuf),
+    /// One worksheet.
+    Worksheet(PathBuf),
+    /// Nothing: the kernels of a folder are proved equal to what Maxima derives from the worksheets of another one.
+    Rederived {
+        /// The worksheets.
+        folder: PathBuf,
+        /// The kernels.
+        kernels: PathBuf,
+        /// Whether the worksheets may start programs, touch files and run Lisp.
+        allow_system: bool,
+    },
+}
+
+/// Why the worker gave no result.
+#[derive(Debug, Error, Diagnostic)]
+pub enum WorkerError {
+    /// The process could not be started or not be heard.
+    #[error("cannot run the algebra in a process of its own: {0}")]
+    #[diagnostic(help("end other programs if the machine has no more processes or memory"))]
+    Io(#[from] io::Error),
+    /// It has said why.
+    #[error("nothing was generated")]
+    Failed,
+    /// Symbolica runs elsewhere.
+    #[error("Symbolica is in use on this machine by a program that does not share the lock of closedform")]
+    #[diagnostic(help(
+        "without a licence key Symbolica runs once a machine, containers and other temporary folders included: end that \
+         program, set {WAIT} to more seconds than the {seconds} that this command has waited, or set SYMBOLICA_LICENSE"
+    ))]
+    Elsewhere {
+        /// How long was waited.
+        seconds: u64,
+    },
+    /// It was ended by a signal, or by a panic.
+    #[error("the algebra crashed ({status}) while it made `{what}`: nothing was generated")]
+    #[diagnostic(help(
+        "this is a mistake of the generator, or the machine lacks memory: what was said last stands above. Split the \
+         formula into smaller ones, and please report it together with its worksheet and contract"
+    ))]
+    Crashed {
+        /// What it made.
+        what: String,
+        /// How it ended.
+        status: ExitStatus,
+    },
+    /// It took too long.
+    #[error("`{what}` was not made in {limit} s of processor time: nothing was generated")]
+    #[diagnostic(help(
+        "split the formula into smaller ones or say more of its signs in a contract's `domain`; {LIMIT} sets how many \
+         seconds one kernel may take"
+    ))]
+    OutOfTime {
+        /// What it made.
+        what: String,
+        /// How long it could take.
+        limit: u64,
+    },
+    /// The limit is no number.
+    #[error("{LIMIT} is `{0}`, which is no number of seconds")]
+    #[diagnostic(help("set it to the seconds of processor time that one kernel may take"))]
+    Limit(String),
+    /// The families are wrong.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Family(#[from] FamilyError),
+    /// The lock is taken.
+    #[error(transparent)]
+    Turn(#[from] TurnError),
+    /// There is no generator.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Program(#[from] ProgramError),
+}
+
+/// How long to leave Symbolica to others before another attempt.
+const PAUSE: Duration = Duration::from_secs(1);
+
+/// Generates in a process of its own, when it is its turn.
+///
+/// # Errors
+/// When the source is wrong, it is not our turn in time, or that process fails; it has then said why on standard error.
+pub fn run(source: &Source) -> Result<Generated, WorkerError> {
+    source.check()?;
+    let limit = attempt::limit()?;
+    let generator = GENERATOR.find()?;
+    let patience = Patience::from_environment()?;
+    let turn = Turn::take(&patience, note)?;
+    let mut tried = false;
+    loop {
+        match attempt(&generator, source, &turn, limit, tried)? {
+            Ending::Made(generated) => return Ok(generated),
+            Ending::Refused if patience.wait(PAUSE) => {}
+            Ending::Refused => return Err(WorkerError::Elsewhere { seconds: patience.seconds() }),
+        }
+        if !tried {
+            let seconds = patience.seconds();
+            note(&format!("waiting for a program that uses Symbolica elsewhere on this machine, {seconds} s at most"));
+        }
+        tried = true;
+    }
+}
+
+impl Source {
+    /// What is wrong is better said before waiting for others than after.
+    fn check(&self) -> Result<(), FamilyError> {
+        match self {
+            Self::Worksheet(worksheet) => Family::from_worksheet(worksheet).map(drop),
+            Self::Folder(folder) | Self::Rederived { folder, .. } => families(folder).map(drop),
+        }
+    }
+}

@@ -1,0 +1,275 @@
+//! The pipeline: families in, the text of every generated file out, each kernel proved equal to its references.
+
+use crate::algebra::Algebra;
+use crate::kernel::{KernelError, ProofError, WrittenError, make, make_as_written, prove};
+use crate::program::cost;
+use crate::rust::{KernelText, ModuleText, print_module};
+use closedform_bounds::with_certificates;
+use closedform_bounds::{BoundError, certified_bound_proof};
+use closedform_maxima::Definition;
+use closedform_project::contract::KernelContract;
+use closedform_project::family::{Family, Paths};
+use closedform_project::generated::{Generated, Made};
+use closedform_project::sample::{EmptyDomain, sample};
+use std::collections::BTreeMap;
+use std::path::Path;
+use thiserror::Error;
+
+/// Why a family was not generated.
+#[derive(Debug, Error)]
+pub enum PipelineError {
+    /// A kernel could not be made.
+    #[error("kernel `{kernel}`: {cause}")]
+    Kernel {
+        /// `family::name`
+        kernel: String,
+        /// Why.
+        cause: KernelError,
+    },
+    /// A domain without points.
+    #[error(
+        "kernel `{kernel}` has an empty domain: {cause}\ncorrect the conditions, or the `typical` magnitudes of its inputs"
+    )]
+    Empty {
+        /// `family::name`
+        kernel: String,
+        /// Why.
+        cause: EmptyDomain,
+    },
+    /// A generated file does not read back.
+    #[error("the generated text of `{family}` does not read back: {cause}")]
+    Unreadable {
+        /// The family.
+        family: String,
+        /// Why.
+        cause: syn::Error,
+    },
+    /// A kernel is not there.
+    #[error("kernel `{0}` is not in the generated text")]
+    Missing(String),
+    /// A kernel is not proved.
+    #[error("kernel `{kernel}`: {cause}")]
+    Unproved {
+        /// `family::name`
+        kernel: String,
+        /// Why.
+        cause: ProofError,
+    },
+    /// A bound is not what the Rust text proves.
+    #[error(
+        "kernel `{kernel}`: its bound is not re-derived from the Rust text:\n{cause}\nin a generated kernel: say more of \
+         the signs in a contract's domain, or split the formula"
+    )]
+    Bound {
+        /// `family::name`
+        kernel: String,
+        /// Why.
+        cause: BoundError,
+    },
+}
+
+impl PipelineError {
+    /// The kernel whose text or bound is not proved, and which of them, if that is the cause.
+    fn unproved_kernel(&self) -> Option<(&str, &'static str)> {
+        match self {
+            Self::Unproved { kernel, .. } => Some((kernel, "its stable form is not proved to be equal to the formula")),
+            Self::Bound { kernel, .. } => Some((kernel, "the bound of its stable form is not proved")),
+            _ => None,
+        }
+    }
+}
+
+/// What is wrong with several kernels, as one text.
+pub fn all(causes: &[PipelineError]) -> String {
+    causes.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+}
+
+/// Generates all families; `progress` is told the name of every kernel before it is made.
+///
+/// # Errors
+/// Every kernel that cannot be made or is not proved.
+pub fn generate(
+    algebra: Algebra,
+    families: &[Family],
+    mut progress: impl FnMut(&str),
+) -> Result<Generated, Vec<PipelineError>> {
+    let mut generated = Generated::default();
+    let mut entries = Vec::new();
+    let mut causes = Vec::new();
+    for family in families {
+        let (mut kernels, mut unmade) = make_kernels(algebra, family, &mut progress);
+        let mut text = module_text(family, &kernels);
+        let mut open = unproved(algebra, family, &text);
+        if take_as_written(family, &open, &mut kernels, &mut unmade) {
+            text = module_text(family, &kernels);
+            open = unproved(algebra, family, &text);
+        }
+        // a kernel that is not made is missing, but for another reason
+        let missing = |cause: &PipelineError| !unmade.is_empty() && matches!(cause, PipelineError::Missing(_));
+        causes.extend(open.into_iter().filter(|cause| !missing(cause)));
+        causes.extend(unmade);
+        generated.kernels.extend(kernels.iter().map(|kernel| made(family, kernel)));
+        entries.extend(kernels.iter().map(|kernel| (family.name.clone(), kernel.name.clone())));
+        generated.files.insert(format!("{}.rs", family.name), text);
+    }
+    generated.files.insert("mod.rs".to_owned(), index_text(families, &entries));
+    if causes.is_empty() { Ok(generated) } else { Err(causes) }
+}
+
+/// The kernels of a family that can be made, and why the others cannot.
+fn make_kernels(
+    algebra: Algebra,
+    family: &Family,
+    progress: &mut impl FnMut(&str),
+) -> (Vec<KernelText>, Vec<PipelineError>) {
+    let (mut kernels, mut causes) = (Vec::new(), Vec::new());
+    for kernel in &family.contract.kernels {
+        let name = format!("{}::{}", family.name, kernel.name);
+        progress(&name);
+        match make_kernel(algebra, family, kernel, name) {
+            Ok(made) => kernels.push(made),
+            Err(cause) => causes.push(cause),
+        }
+    }
+    (kernels, causes)
+}
+
+/// Takes the formulas of kernels that are not proved as they are written; whether there are any.
+fn take_as_written(
+    family: &Family,
+    unproved: &[PipelineError],
+    kernels: &mut [KernelText],
+    unmade: &mut Vec<PipelineError>,
+) -> bool {
+    let name = |kernel: &KernelText| format!("{}::{}", family.name, kernel.name);
+    let open: BTreeMap<&str, &str> = unproved.iter().filter_map(PipelineError::unproved_kernel).collect();
+    for kernel in kernels {
+        let contract = family.contract.kernels.iter().find(|contract| contract.name == kernel.name);
+        let (Some(because), Some(contract)) = (open.get(name(kernel).as_str()), contract) else { continue };
+        match as_written(family, &family.completed(contract), (*because).to_owned()) {
+            Ok(made) => *kernel = made,
+            Err(cause) => unmade.push(PipelineError::Kernel { kernel: name(kernel), cause }),
+        }
+    }
+    !open.is_empty()
+}
+
+fn as_written(family: &Family, kernel: &KernelContract, because: String) -> Result<KernelText, KernelError> {
+    let made = make_as_written(&family.contract, kernel, &references_of(family, kernel), because)?;
+    let too_large = || KernelError::Written { function: kernel.name.clone(), cause: WrittenError::TooLarge };
+    reads_back(family, &made).then_some(made).ok_or_else(too_large)
+}
+
+/// Why a text does not read back: the kernel language has limits, for slices above all.
+const TOO_LARGE: &str = "its stable form is too large, or has the circle constant in a sum that may cancel";
+
+/// Whether the text of a kernel can be read back.
+fn reads_back(family: &Family, kernel: &KernelText) -> bool {
+    closedform_syntax::parse_file(&module_text(family, std::slice::from_ref(kernel))).is_ok()
+}
+
+fn make_kernel(
+    algebra: Algebra,
+    family: &Family,
+    kernel: &KernelContract,
+    name: String,
+) -> Result<KernelText, PipelineError> {
+    let kernel = &family.completed(kernel);
+    let inputs = family.contract.inputs_of(kernel);
+    sample(&kernel.domain, &inputs, 1, 0).map_err(|cause| PipelineError::Empty { kernel: name.clone(), cause })?;
+    let references = references_of(family, kernel);
+    let made = match make(algebra, &family.contract, kernel, &references) {
+        Err(cause) if cause.leaves_the_formula_as_written() => as_written(family, kernel, cause.to_string()),
+        Ok(made) if !reads_back(family, &made) => as_written(family, kernel, TOO_LARGE.to_owned()),
+        made => made,
+    };
+    made.map_err(|cause| PipelineError::Kernel { kernel: name, cause })
+}
+
+fn module_text(family: &Family, kernels: &[KernelText]) -> String {
+    let text = print_module(&ModuleText {
+        family: &family.name,
+        title: &family.contract.family.title,
+        source: &family.contract.family.source,
+        made_from: &made_from(family),
+        kernels,
+    });
+    // what certificates are worth is shown next: every stated bound is proved before the text leaves
+    with_certificates(&text)
+}
+
+/// The reference expressions of a kernel, one a result.
+fn references_of(family: &Family, kernel: &KernelContract) -> Vec<Definition> {
+    let results = family.results().filter(|(owner, ..)| owner.name == kernel.name);
+    results.map(|(_, _, reference)| reference.clone()).collect()
+}
+
+fn made_from(family: &Family) -> String {
+    let file = |path: &Path| path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let Paths { worksheet, contract, reference, .. } = &family.paths;
+    match (contract.exists(), reference.exists()) {
+        (false, _) => file(worksheet),
+        (true, false) => format!("{} and {}", file(worksheet), file(contract)),
+        (true, true) => format!("{} and {}", file(reference), file(contract)),
+    }
+}
+
+/// The kernels of a family's generated text that are not proved equal to its reference expressions, or whose bounds are
+/// not what their text proves; or why the text does not read back.
+pub fn unproved(algebra: Algebra, family: &Family, text: &str) -> Vec<PipelineError> {
+    let sources = match closedform_syntax::parse_file(text) {
+        Ok(sources) => sources,
+        Err(cause) => return vec![PipelineError::Unreadable { family: family.name.clone(), cause }],
+    };
+    let mut causes = Vec::new();
+    for kernel in &family.contract.kernels {
+        let name = format!("{}::{}", family.name, kernel.name);
+        match sources.iter().find(|source| source.name == kernel.name) {
+            None => causes.push(PipelineError::Missing(name)),
+            Some(source) => {
+                let proof = prove(algebra, source, &family.completed(kernel), &references_of(family, kernel));
+                let bound = certified_bound_proof(source);
+                let bound = bound.map_err(|cause| PipelineError::Bound { kernel: name.clone(), cause });
+                causes.extend(proof.err().map(|cause| PipelineError::Unproved { kernel: name, cause }));
+                causes.extend(bound.err());
+            }
+        }
+    }
+    causes
+}
+
+fn made(family: &Family, kernel: &KernelText) -> Made {
+    let cost = cost(&kernel.graph, &kernel.program.outputs);
+    Made {
+        kernel: format!("{}::{}", family.name, kernel.name),
+        rules: kernel.rules.iter().map(ToString::to_string).collect(),
+        operations: [cost.additions, cost.multiplications, cost.divisions, cost.roots, cost.wide],
+        bound: kernel.results.iter().map(|result| result.bound).fold(0.0, f64::max),
+        certified_because: kernel.certified_because.clone(),
+        added: if family.paths.contract.exists() { added(family, kernel) } else { Vec::new() },
+    }
+}
+
+/// The conditions of a kernel that its contract does not state.
+fn added(family: &Family, kernel: &KernelText) -> Vec<String> {
+    let contract = family.contract.kernels.iter().find(|contract| contract.name == kernel.name);
+    let stated = |text: &str| contract.is_some_and(|contract| contract.domain.texts().any(|known| known == text));
+    kernel.requires.iter().map(|require| require.text.clone()).filter(|text| !stated(text)).collect()
+}
+
+fn index_text(families: &[Family], entries: &[(String, String)]) -> String {
+    let mut text = String::from(
+        "// Generated by `closedform generate` from the contracts: edit those and run it again, not this file.\n\
+         //! Every generated kernel.\n\nuse closedform::Kernel;\n\n",
+    );
+    for family in families {
+        text += &format!("pub mod {};\n", family.name);
+    }
+    text += "\n/// Every kernel, for tools that know none by name.\n";
+    text += &format!("pub static ALL: [&Kernel; {}] = [\n", entries.len());
+    for (family, kernel) in entries {
+        text += &format!("    &{family}::{kernel}::KERNEL,\n");
+    }
+    text += "];\n";
+    text
+}

@@ -1,0 +1,62 @@
+//! Why a kernel is not found.
+
+use std::path::PathBuf;
+
+use miette::Diagnostic;
+use thiserror::Error;
+
+use closedform_project::ReadError;
+
+/// Why a kernel is not found.
+#[derive(Debug, Error, Diagnostic)]
+pub enum CatalogueError {
+    /// A file or folder cannot be read.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Read(#[from] ReadError),
+    /// A source is not what the generator writes.
+    #[error("{} is not kernel language: {}", path.display(), messages(cause))]
+    #[diagnostic(help("`closedform generate` makes a generated file anew; correct one that is written by hand"))]
+    NotKernels {
+        /// The file.
+        path: PathBuf,
+        /// Everything that is wrong.
+        cause: syn::Error,
+    },
+    /// Nothing was generated yet.
+    #[error("no kernels below {}", root.display())]
+    #[diagnostic(help(
+        "run `closedform generate`, for a worksheet alone with `--input NAME.mac --out DIR`; or name the project with --root"
+    ))]
+    NoKernels {
+        /// Where they were looked for.
+        root: PathBuf,
+    },
+    /// No kernel of this name.
+    #[error("no kernel is called `{name}`")]
+    #[diagnostic(help("{}", did_you_mean(nearest)))]
+    Unknown {
+        /// The name.
+        name: String,
+        /// The names nearest to it.
+        nearest: Vec<String>,
+    },
+    /// A name that several kernels have.
+    #[error("`{name}` is the name of several kernels")]
+    #[diagnostic(help("say which: {}", candidates.join(", ")))]
+    Ambiguous {
+        /// The name.
+        name: String,
+        /// The kernels.
+        candidates: Vec<String>,
+    },
+}
+
+fn messages(cause: &syn::Error) -> String {
+    let messages: Vec<String> = cause.into_iter().map(|error| error.to_string()).collect();
+    messages.join("; ")
+}
+
+fn did_you_mean(nearest: &[String]) -> String {
+    format!("did you mean {}? `closedform list` names all kernels", nearest.join(", "))
+}

@@ -1,0 +1,7 @@
+//! How accurate kernels are: a project's kernels, their errors in ulp, the search for their worst inputs, the ledger.
+
+pub mod accuracy;
+pub mod catalogue;
+pub mod hunt;
+pub mod kept;
+pub mod ledger;

@@ -1,0 +1,98 @@
+//! Files written all or none: each beside its target first, then renamed.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use miette::Diagnostic;
+use tempfile::NamedTempFile;
+use thiserror::Error;
+
+/// What the first line of every file that may be replaced says.
+const MARK: &str = "written by `closedform ";
+
+/// Refuses to replace files that this command did not write.
+pub fn replaceable<'a>(paths: impl IntoIterator<Item = &'a Path>) -> Result<(), WriteError> {
+    let foreign = |path: &&Path| std::fs::read(path).is_ok_and(|text| !text.is_empty() && !is_marked(&text));
+    match paths.into_iter().find(foreign) {
+        None => Ok(()),
+        Some(path) => {
+            let cause =
+                std::io::Error::other("it is there, and its first line does not say that `closedform` wrote it");
+            Err(WriteError { path: path.to_owned(), cause, remedy: "rename it if it is yours, or delete it" })
+        }
+    }
+}
+
+fn is_marked(text: &[u8]) -> bool {
+    let line = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
+    String::from_utf8_lossy(line).contains(MARK)
+}
+use closedform_system::scratch;
+
+/// A file that could not be written; what was there before is untouched.
+#[derive(Debug, Error, Diagnostic)]
+#[error("cannot write {}: {cause}", path.display())]
+#[diagnostic(help("{remedy}"))]
+pub struct WriteError {
+    /// The file.
+    pub path: PathBuf,
+    /// Why not.
+    #[source]
+    pub cause: std::io::Error,
+    /// What to do about it.
+    pub remedy: &'static str,
+}
+
+/// Writes all files; none is replaced before the texts of all are on disk.
+pub fn write_all(files: &[(&Path, &str)]) -> Result<(), WriteError> {
+    let remedy = "make room and get the right to write in this folder";
+    let fail = |path: &Path, cause| WriteError { path: path.to_owned(), cause, remedy };
+    let mut ready = Vec::new();
+    for (path, text) in files {
+        ready.push((path, beside(path, text).map_err(|cause| fail(path, cause))?));
+    }
+    for (path, file) in ready {
+        file.persist(path).map_err(|error| fail(path, error.error))?;
+    }
+    Ok(())
+}
+
+fn beside(path: &Path, text: &str) -> std::io::Result<NamedTempFile> {
+    let mut file = scratch::beside(path)?;
+    file.write_all(text.as_bytes())?;
+    if let Ok(replaced) = std::fs::metadata(path) {
+        file.as_file().set_permissions(replaced.permissions())?;
+    }
+    Ok(file)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::PermissionsExt;
+
+    #[test]
+    fn what_others_wrote_is_not_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.ref");
+        assert!(replaceable([&*path]).is_ok());
+        std::fs::write(&path, "/* written by `closedform derive a` */\n").unwrap();
+        assert!(replaceable([&*path]).is_ok());
+        std::fs::write(&path, "/* by hand */\nwritten by `closedform derive`").unwrap();
+        assert!(replaceable([&*path]).unwrap_err().to_string().contains("a.ref"));
+    }
+
+    #[test]
+    fn all_or_none() {
+        let folder = tempfile::tempdir().unwrap();
+        let (one, two) = (folder.path().join("one"), folder.path().join("missing/two"));
+        std::fs::write(&one, "before").unwrap();
+        assert_eq!(write_all(&[(&one, "after"), (&two, "")]).unwrap_err().path, two);
+        assert_eq!(std::fs::read_to_string(&one).unwrap(), "before");
+        std::fs::set_permissions(&one, std::fs::Permissions::from_mode(0o640)).unwrap();
+        write_all(&[(&one, "after")]).unwrap();
+        assert_eq!(std::fs::read_to_string(&one).unwrap(), "after");
+        assert_eq!(std::fs::metadata(&one).unwrap().permissions().mode() & 0o777, 0o640);
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+}

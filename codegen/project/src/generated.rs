@@ -1,0 +1,66 @@
+//! What the generator hands back, and the words in which it does: a line each on its standard output, between the lines
+//! that Symbolica prints there.
+
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+
+/// Everything that was generated, in memory.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Generated {
+    /// File names below the generated folder, and their texts.
+    pub files: BTreeMap<String, String>,
+    /// What was made, in order.
+    pub kernels: Vec<Made>,
+}
+
+/// One kernel as made.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Made {
+    /// `family::name`
+    pub kernel: String,
+    /// The rules of its program.
+    pub rules: Vec<String>,
+    /// Additions, multiplications, divisions, roots, double-double operations.
+    pub operations: [usize; 5],
+    /// The largest bound of its results, in ulp.
+    pub bound: f64,
+    /// Why the formula stands as it is written and certifies every call, if it does.
+    pub certified_because: Option<String>,
+    /// The conditions that its formulas need and its contract does not promise, if it has one.
+    pub added: Vec<String>,
+}
+
+/// Begins a line of ours.
+const MARK: &str = "\u{1}closedform ";
+
+/// One line.
+#[derive(Debug, Serialize, Deserialize)]
+pub enum Word {
+    /// So many kernels will be made.
+    Kernels(usize),
+    /// This is begun now.
+    Making(String),
+    /// All is done.
+    Made(Generated),
+}
+
+impl Word {
+    /// Says it on standard output.
+    ///
+    /// # Errors
+    /// When nobody listens.
+    pub fn send(&self) -> io::Result<()> {
+        let text = serde_json::to_string(self).map_err(io::Error::from)?;
+        let mut output = io::stdout().lock();
+        // whatever stands before it may lack its end
+        writeln!(output, "\n{MARK}{text}")?;
+        output.flush()
+    }
+
+    /// The word in a line, if it is one of ours.
+    #[must_use]
+    pub fn read(line: &str) -> Option<Self> {
+        serde_json::from_str(line.strip_prefix(MARK)?).ok()
+    }
+}

@@ -1,0 +1,23 @@
+//! A project on disk (worksheets, contracts, references, golden values) as values in memory, and Maxima as a process.
+
+pub mod contract;
+pub mod derive;
+pub mod domain;
+#[cfg(any(test, feature = "fixtures"))]
+pub mod drawn;
+pub mod expression;
+pub mod family;
+mod files;
+pub mod folder;
+pub mod generated;
+pub mod golden;
+pub mod hexfloat;
+pub mod markdown;
+pub mod maxima_process;
+pub mod root;
+pub mod sample;
+pub mod source;
+mod statements;
+
+pub use files::{WriteError, replaceable, write_all};
+pub use source::ReadError;

@@ -1,0 +1,108 @@
+//! The generator at work: it generates or proves, says how far it is, and ends with the command that asked.
+
+use crate::ALGEBRA;
+use closedform_generator::pipeline::{PipelineError, all, generate, unproved};
+use closedform_project::derive::{DeriveError, Options, rederive};
+use closedform_project::family::{Family, FamilyError, families};
+use closedform_project::generated::{Generated, Word};
+use miette::Diagnostic;
+use rustix::process::{Signal, getpid, kill_process};
+use std::io;
+use std::os::unix::process::parent_id;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+use std::{fs, thread};
+use thiserror::Error;
+
+/// What is to be done.
+#[derive(Clone, Debug)]
+pub enum Task {
+    /// All families of a folder are generated.
+    Folder(PathBuf),
+    /// One worksheet is generated.
+    Worksheet(PathBuf),
+    /// Nothing is generated: the kernels of a folder are proved equal to what Maxima derives from the worksheets of another.
+    Rederived {
+        /// The worksheets.
+        folder: PathBuf,
+        /// The kernels.
+        kernels: PathBuf,
+    },
+}
+
+/// Why it is not done.
+#[derive(Debug, Error, Diagnostic)]
+pub enum WorkError {
+    /// A file cannot be read, or the command not be told.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+    /// The families are wrong.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Family(#[from] FamilyError),
+    /// A worksheet cannot be run.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Derive(#[from] DeriveError),
+    /// Kernels are no longer what the worksheets derive.
+    #[error("{}", all(.0))]
+    #[diagnostic(help(
+        "the worksheet derives something else than the checked-in reference: if the worksheet is right, run `closedform \
+         derive` and `closedform generate`"
+    ))]
+    Changed(Vec<PipelineError>),
+    /// Kernels cannot be made.
+    #[error("{}", all(.0))]
+    Pipeline(Vec<PipelineError>),
+}
+
+/// Generates, and sends the result.
+///
+/// # Errors
+/// When a family is wrong, or a kernel cannot be made or proved.
+pub fn work(task: &Task, parent: u32) -> Result<(), WorkError> {
+    thread::spawn(move || end_with(parent));
+    let generated = match task {
+        Task::Folder(folder) => generated(&families(folder)?)?,
+        Task::Worksheet(worksheet) => generated(&[Family::from_worksheet(worksheet)?])?,
+        Task::Rederived { folder, kernels } => {
+            rederived(folder, kernels)?;
+            Generated::default()
+        }
+    };
+    Ok(Word::Made(generated).send()?)
+}
+
+/// A command that was killed has nobody to stop its worker, which would keep others waiting.
+fn end_with(parent: u32) {
+    while parent_id() == parent {
+        thread::sleep(Duration::from_millis(100));
+    }
+    _ = kill_process(getpid(), Signal::KILL);
+}
+
+fn generated(families: &[Family]) -> Result<Generated, WorkError> {
+    Word::Kernels(families.iter().map(|family| family.contract.kernels.len()).sum()).send()?;
+    generate(ALGEBRA, families, making).map_err(WorkError::Pipeline)
+}
+
+/// Proves the kernels as checked in equal to what the worksheets derive now.
+fn rederived(folder: &Path, kernels: &Path) -> Result<(), WorkError> {
+    let mut families = families(folder)?;
+    for family in &mut families {
+        making(&family.name);
+        family.references = rederive(folder, &family.name, &Options::default())?;
+    }
+    let mut causes = Vec::new();
+    for family in &families {
+        making(&family.name);
+        let text = fs::read_to_string(kernels.join(format!("{}.rs", family.name)))?;
+        causes.extend(unproved(ALGEBRA, family, &text));
+    }
+    if causes.is_empty() { Ok(()) } else { Err(WorkError::Changed(causes)) }
+}
+
+/// If nobody listens, the worker ends anyway.
+fn making(what: &str) {
+    _ = Word::Making(what.to_owned()).send();
+}

@@ -1,0 +1,7 @@
+//! What the commands need of the operating system: outputs that may close, temporary files that may be left behind, the
+//! processor time of others, and the turn to use what runs once a machine.
+
+pub mod output;
+pub mod processor;
+pub mod scratch;
+pub mod turn;

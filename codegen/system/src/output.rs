@@ -1,0 +1,50 @@
+//! Standard output: text and JSON, where a reader that has seen enough is no error; and notes on standard error.
+
+use std::io::{self, ErrorKind, Write};
+
+use miette::Diagnostic;
+use serde::Serialize;
+use thiserror::Error;
+
+/// Standard output takes nothing more.
+#[derive(Debug, Error, Diagnostic)]
+#[error("cannot write to standard output: {0}")]
+#[diagnostic(help("make room where the output goes, or send it elsewhere"))]
+pub struct OutputError(#[from] io::Error);
+
+/// Writes the text.
+///
+/// # Errors
+///
+/// When it cannot be written.
+pub fn print(text: &str) -> Result<(), OutputError> {
+    let mut output = io::stdout().lock();
+    unless_closed(output.write_all(text.as_bytes()).and_then(|()| output.flush()))
+}
+
+/// Writes the value as JSON.
+///
+/// # Errors
+///
+/// When it cannot be written.
+pub fn print_json(value: &impl Serialize) -> Result<(), OutputError> {
+    let text = serde_json::to_string_pretty(value).map_err(io::Error::from)?;
+    print(&format!("{text}\n"))
+}
+
+/// Writes a line to standard error, if anybody reads it: where that is closed or full, nothing is left to complain to.
+pub fn note(text: &str) {
+    _ = writeln!(io::stderr().lock(), "{text}");
+}
+
+/// What writing came to; that nobody reads on is no error.
+///
+/// # Errors
+///
+/// When it failed otherwise.
+pub fn unless_closed(written: io::Result<()>) -> Result<(), OutputError> {
+    match written {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error.into()),
+        _ => Ok(()),
+    }
+}
