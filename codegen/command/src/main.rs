@@ -21,7 +21,7 @@ mod worker;
 
 use clap::{Parser, Subcommand};
 use closedform_project::root::project_root;
-use closedform_system::output;
+use closedform_system::output::{self, OutputError};
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -65,7 +65,10 @@ fn main() -> ExitCode {
     match done {
         Ok(code) => code,
         Err(report) => {
-            output::note(&format!("{report:?}"));
+            match report.downcast_ref::<OutputError>() {
+                Some(full) => output::note(&format!("closedform: {full}")),
+                None => output::note(&format!("{report:?}")),
+            }
             ExitCode::FAILURE
         }
     }

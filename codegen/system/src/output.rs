@@ -8,9 +8,17 @@ use thiserror::Error;
 
 /// Standard output takes nothing more.
 #[derive(Debug, Error, Diagnostic)]
-#[error("cannot write to standard output: {0}")]
-#[diagnostic(help("make room where the output goes, or send it elsewhere"))]
-pub struct OutputError(#[from] io::Error);
+#[error("cannot write to standard output: {cause}; make room where it goes, or send it elsewhere")]
+pub struct OutputError {
+    /// What the system says. Not a source of the error: it is told once, in one line.
+    cause: String,
+}
+
+impl From<io::Error> for OutputError {
+    fn from(error: io::Error) -> Self {
+        Self { cause: error.to_string() }
+    }
+}
 
 /// Writes the text.
 ///

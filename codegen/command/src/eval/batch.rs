@@ -102,7 +102,10 @@ pub fn run(entry: &Entry, file: &Path, digits: Option<u32>) -> miette::Result<()
     } else {
         Box::new(File::open(file).map_err(|cause| table.unreadable(cause.into()))?)
     };
-    Ok(table.evaluate(input, io::stdout().lock())?)
+    match table.evaluate(input, io::stdout().lock()) {
+        Err(BatchError::Output(full)) => Err(full.into()), // which is told as by all commands
+        done => Ok(done?),
+    }
 }
 
 fn file_name(file: &Path) -> String {
