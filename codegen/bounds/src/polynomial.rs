@@ -2,6 +2,8 @@
 
 use num_rational::BigRational;
 use num_traits::{One, Zero};
+use std::cmp::Ordering;
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What polynomials are made of: an input, or a value that is none in the inputs.
@@ -23,21 +25,28 @@ impl Monomial {
     }
 
     fn times(&self, other: &Self) -> Self {
-        let mut powers: BTreeMap<Atom, u32> = self.0.iter().copied().collect();
-        for (atom, exponent) in &other.0 {
-            *powers.entry(*atom).or_default() += exponent;
+        let mut powers = Vec::with_capacity(self.0.len() + other.0.len());
+        let (mut left, mut right) = (self.0.as_slice(), other.0.as_slice());
+        while let ([(a, m), rest_of_left @ ..], [(b, n), rest_of_right @ ..]) = (left, right) {
+            let (power, next) = match a.cmp(b) {
+                Ordering::Less => ((*a, *m), (rest_of_left, right)),
+                Ordering::Greater => ((*b, *n), (left, rest_of_right)),
+                Ordering::Equal => ((*a, m + n), (rest_of_left, rest_of_right)),
+            };
+            powers.push(power);
+            (left, right) = next;
         }
-        Self(powers.into_iter().collect())
+        powers.extend([left, right].concat());
+        Self(powers)
     }
 
     /// The quotient, if it is a monomial.
     pub fn over(&self, divisor: &Self) -> Option<Self> {
-        let mut powers: BTreeMap<Atom, u32> = self.0.iter().copied().collect();
-        for (atom, exponent) in &divisor.0 {
-            let left = powers.get_mut(atom)?;
-            *left = left.checked_sub(*exponent)?;
+        if divisor.0.iter().any(|(atom, exponent)| self.exponent(*atom) < *exponent) {
+            return None;
         }
-        Some(Self(powers.into_iter().filter(|(_, exponent)| *exponent > 0).collect()))
+        let left = self.0.iter().map(|(atom, exponent)| (*atom, exponent - divisor.exponent(*atom)));
+        Some(Self(left.filter(|(_, exponent)| *exponent > 0).collect()))
     }
 
     fn common(&self, other: &Self) -> Self {
@@ -77,10 +86,15 @@ impl Polynomial {
     }
 
     fn add(&mut self, monomial: Monomial, coefficient: BigRational) {
-        let sum = self.0.entry(monomial.clone()).or_insert_with(BigRational::zero);
-        *sum += coefficient;
-        if sum.is_zero() {
-            self.0.remove(&monomial);
+        match self.0.entry(monomial) {
+            Entry::Vacant(place) if !coefficient.is_zero() => _ = place.insert(coefficient),
+            Entry::Vacant(_) => {}
+            Entry::Occupied(mut place) => {
+                *place.get_mut() += coefficient;
+                if place.get().is_zero() {
+                    place.remove();
+                }
+            }
         }
     }
 
@@ -159,7 +173,10 @@ impl Polynomial {
 
     /// The product with a number.
     pub fn scaled(&self, factor: &BigRational) -> Self {
-        self.times(&Self::constant(factor.clone()))
+        if factor.is_zero() {
+            return Self::default();
+        }
+        Self(self.0.iter().map(|(monomial, coefficient)| (monomial.clone(), coefficient * factor)).collect())
     }
 
     /// A power.

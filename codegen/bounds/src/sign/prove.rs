@@ -3,6 +3,7 @@
 use super::{Facts, Sign};
 use crate::polynomial::{Atom, Polynomial};
 use num_rational::BigRational;
+use num_traits::One;
 use std::cell::Cell;
 
 /// How many times a search may use a fact on its way to one certificate.
@@ -163,11 +164,13 @@ impl Swap {
     /// A polynomial, times the power of `a` that its degree asks for.
     fn polynomial(&self, polynomial: &Polynomial) -> Polynomial {
         let coefficients = polynomial.coefficients(self.atom);
-        let degree = coefficients.len() as u32 - 1;
-        let terms = coefficients.iter().zip(0..).map(|(coefficient, power)| {
-            coefficient.times(&self.numerator.power(power)).times(&self.denominator.power(degree - power))
-        });
-        terms.fold(Polynomial::default(), |sum, term| sum.plus(&term))
+        let mut coefficients = coefficients.into_iter().rev();
+        let highest = coefficients.next().unwrap_or_default();
+        let mut power = Polynomial::constant(BigRational::one());
+        coefficients.fold(highest, |value, coefficient| {
+            power = power.times(&self.denominator);
+            value.times(&self.numerator).plus(&coefficient.times(&power))
+        })
     }
 
     /// The sign of the factor that [`polynomial`](Self::polynomial) puts in.
