@@ -3,7 +3,7 @@
 mod common;
 
 use closedform_measure::catalogue::Catalogue;
-use common::{closedform, closedform_waiting, edit, fails, failure, project, repository, succeeds, turn};
+use common::{closedform, closedform_waiting, edit, fails, failure, repository, small_project, succeeds, turn};
 use std::collections::BTreeMap;
 use std::fs::{self, OpenOptions};
 use std::path::Path;
@@ -50,7 +50,7 @@ fn maxima_derives_what_the_kernels_compute() {
 #[test]
 fn a_changed_coefficient_in_a_worksheet_names_the_kernel() {
     let _turn = turn();
-    let project = project();
+    let project = small_project();
     let worksheet = project.path().join("maxima-ref/turnaround.mac");
     let text = fs::read_to_string(&worksheet).unwrap();
     fs::write(&worksheet, text + "\ndefine(d2In(a2Max,tIn), a2Max*tIn^2/7)$\n").unwrap();
@@ -60,18 +60,19 @@ fn a_changed_coefficient_in_a_worksheet_names_the_kernel() {
 #[test]
 fn a_changed_sign_in_a_generated_file_names_file_and_remedy() {
     let _turn = turn();
-    let project = project();
+    let project = small_project();
+    let before = kernels(project.path());
     edit(&project.path().join("kernels/src/generated/turnaround.rs"), "root + ", "root - ");
     let texts = ["stale:", "turnaround.rs", "root - ", "closedform generate"];
     refuses(project.path(), &["check"], &texts);
     succeeds(project.path(), &["generate", "--points", "5"]);
-    assert_eq!(kernels(project.path()), kernels(&repository()));
+    assert_eq!(kernels(project.path()), before);
 }
 
 #[test]
 fn a_bound_that_the_text_does_not_prove_names_kernel_and_step() {
     let _turn = turn();
-    let project = project();
+    let project = small_project();
     let family = project.path().join("kernels/src/generated/turnaround.rs");
     edit(&family, "bound = 4.51", "bound = 4.01");
     let texts =
@@ -84,18 +85,19 @@ fn a_bound_that_the_text_does_not_prove_names_kernel_and_step() {
 #[test]
 fn missing_and_orphaned_files_are_named() {
     let _turn = turn();
-    let project = project();
+    let project = small_project();
+    let before = kernels(project.path());
     let folder = project.path().join("kernels/src/generated");
     fs::rename(folder.join("pvt.rs"), folder.join("forgotten.rs")).unwrap();
     refuses(project.path(), &["check"], &["missing: ", "pvt.rs", "orphan", "forgotten.rs"]);
     succeeds(project.path(), &["generate", "--points", "5"]);
-    assert_eq!(kernels(project.path()), kernels(&repository()));
+    assert_eq!(kernels(project.path()), before);
 }
 
 #[test]
 fn a_second_run_changes_nothing() {
     let _turn = turn();
-    let project = project();
+    let project = small_project();
     let output = closedform(project.path(), &["generate", "--points", "5"]);
     assert!(output.status.success());
     assert!(String::from_utf8_lossy(&output.stderr).contains("; 0 files changed"));
@@ -105,7 +107,7 @@ fn a_second_run_changes_nothing() {
 #[test]
 fn a_second_command_at_the_same_time_is_told_to_wait() {
     let _turn = turn();
-    let project = project();
+    let project = small_project();
     let path = std::env::temp_dir().join("closedform-symbolica.lock");
     let lock = OpenOptions::new().create(true).truncate(false).write(true).open(path).unwrap();
     lock.lock().unwrap();
@@ -118,7 +120,7 @@ fn a_second_command_at_the_same_time_is_told_to_wait() {
 #[test]
 fn a_reference_with_an_unbalanced_parenthesis_is_shown() {
     let _turn = turn();
-    let project = project();
+    let project = small_project();
     edit(&project.path().join("maxima-ref/pvt.ref"), "(2*t1*v0+dV*t1)/2", "((2*t1*v0+dV*t1)/2");
     refuses(project.path(), &["generate"], &["pvt.ref", "`(` without its `)`"]);
 }
@@ -126,7 +128,7 @@ fn a_reference_with_an_unbalanced_parenthesis_is_shown() {
 #[test]
 fn an_unknown_function_is_named() {
     let _turn = turn();
-    let project = project();
+    let project = small_project();
     edit(&project.path().join("maxima-ref/pvt.ref"), "dV/t1", "gamma(dV)/t1");
     refuses(project.path(), &["generate"], &["gamma", "pvt.ref"]);
 }
@@ -134,7 +136,7 @@ fn an_unknown_function_is_named() {
 #[test]
 fn a_missing_variable_in_a_contract_is_named() {
     let _turn = turn();
-    let project = project();
+    let project = small_project();
     edit(&project.path().join("maxima-ref/pvt.toml"), r#""v0", "dV", "t1""#, r#""v0", "dV", "t9""#);
     refuses(project.path(), &["generate"], &["t9", "pvt.toml"]);
 }
@@ -142,7 +144,7 @@ fn a_missing_variable_in_a_contract_is_named() {
 #[test]
 fn an_empty_domain_is_shown() {
     let _turn = turn();
-    let project = project();
+    let project = small_project();
     edit(
         &project.path().join("maxima-ref/pvt.toml"),
         r#"domain = ["v0 > 0", "a1 < 0"]"#,

@@ -33,7 +33,8 @@ fn holds(folder: &Path, arguments: &[&str]) {
     assert!(!said(&unread).contains("rror") && !said(&unread).contains("panic"), "{arguments:?}: {}", said(&unread));
     let lost = run(folder, arguments, full().into(), Stdio::piped());
     assert_eq!(lost.status.code(), Some(1), "{arguments:?}: {}", said(&lost));
-    let about = said(&lost).lines().filter(|line| line.contains("No space left")).map(str::to_owned).collect::<Vec<_>>();
+    let about =
+        said(&lost).lines().filter(|line| line.contains("No space left")).map(str::to_owned).collect::<Vec<_>>();
     assert_eq!(about.len(), 1, "{arguments:?}: {}", said(&lost));
     assert!(about[0].starts_with("closedform: cannot write to standard output: "), "{arguments:?}: {}", said(&lost));
     for errors in [Stdio::from(closed()), Stdio::from(full())] {

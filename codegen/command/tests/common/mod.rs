@@ -67,6 +67,31 @@ pub fn project() -> tempfile::TempDir {
     project
 }
 
+/// A project with two of this repository's families, which takes a second to generate.
+pub fn small_project() -> tempfile::TempDir {
+    const FAMILIES: [&str; 2] = ["pvt", "turnaround"];
+    let project = tempfile::tempdir().expect("a temporary folder");
+    let (worksheets, kernels) = (Path::new("maxima-ref"), Path::new("kernels/src/generated"));
+    for family in FAMILIES {
+        let of_family = ["mac", "toml", "ref", "tsv"].map(|end| worksheets.join(format!("{family}.{end}")));
+        for file in of_family.into_iter().chain([kernels.join(format!("{family}.rs"))]) {
+            let target = project.path().join(&file);
+            fs::create_dir_all(target.parent().expect("a folder")).expect("a folder");
+            fs::copy(repository().join(file), target).expect("a copy");
+        }
+    }
+    let index = fs::read_to_string(repository().join(kernels).join("mod.rs")).expect("the index");
+    let is_entry = |line: &&str| line.starts_with("    &");
+    let is_ours = |line: &&str| FAMILIES.iter().any(|family| line.contains(family));
+    let lines = index.lines().filter(|line| !(is_entry(line) || line.starts_with("pub mod ")) || is_ours(line));
+    let mut lines: Vec<String> = lines.map(str::to_owned).collect();
+    let count = lines.iter().filter(|line| is_entry(&line.as_str())).count();
+    let list = lines.iter_mut().find(|line| line.starts_with("pub static ALL")).expect("the list");
+    *list = format!("pub static ALL: [&Kernel; {count}] = [");
+    fs::write(project.path().join(kernels).join("mod.rs"), lines.join("\n") + "\n").expect("the index is written");
+    project
+}
+
 fn copy(from: &Path, to: &Path) {
     fs::create_dir_all(to).expect("a folder");
     for entry in fs::read_dir(from).expect("the folder is there") {
