@@ -232,7 +232,12 @@ impl<'k> Counter<'k> {
             Expr::Binary { op: BinaryOp::Add, left, right } => term(left).plus(term(right)),
             Expr::Binary { op: BinaryOp::Sub, left, right } => term(left).plus(term(right).negated()),
             Expr::Binary { op: BinaryOp::Mul, .. } => self.sign_of_product(expr, &part),
-            Expr::Binary { left, right, .. } => part(left).times(part(right)),
+            // a quotient has the sign of the product, wherever it is defined
+            Expr::Binary { left, right, .. } => {
+                let product = self.forms.of(left).times(&self.forms.of(right));
+                self.learn_atoms(&product, case);
+                part(left).times(part(right)).and(self.search(&product, case, effort))
+            }
             Expr::Compensated(slice) => part(&slice.value),
             Expr::Name(name) => self.forms.step(name.slot).map_or(Sign::ANY, part),
             _ => Sign::ANY,

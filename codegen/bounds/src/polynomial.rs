@@ -49,6 +49,13 @@ impl Monomial {
         Some(Self(left.filter(|(_, exponent)| *exponent > 0).collect()))
     }
 
+    /// The lexical order, which products keep.
+    fn lexical(&self, other: &Self) -> Ordering {
+        let pairs = self.0.iter().zip(&other.0);
+        let orders = pairs.map(|((a, m), (b, n))| b.cmp(a).then(m.cmp(n)));
+        orders.into_iter().find(|order| order.is_ne()).unwrap_or_else(|| self.0.len().cmp(&other.0.len()))
+    }
+
     fn common(&self, other: &Self) -> Self {
         let shared = self.0.iter().map(|(atom, exponent)| (*atom, *exponent.min(&other.exponent(*atom))));
         Self(shared.filter(|(_, exponent)| *exponent > 0).collect())
@@ -206,6 +213,22 @@ impl Polynomial {
         Self(self.0.iter().filter_map(|(monomial, value)| Some((monomial.over(divisor)?, value.clone()))).collect())
     }
 
+    /// The quotient, if the division leaves no remainder.
+    pub fn quotient(&self, divisor: &Self) -> Option<Self> {
+        let (lead, value) = divisor.leading()?;
+        let (mut quotient, mut rest) = (Self::default(), self.clone());
+        while let Some((monomial, coefficient)) = rest.leading() {
+            let term = Self::term(monomial.over(lead)?, coefficient / value);
+            rest = rest.minus(&divisor.times(&term));
+            quotient = quotient.plus(&term);
+        }
+        Some(quotient)
+    }
+
+    fn leading(&self) -> Option<(&Monomial, &BigRational)> {
+        self.terms().max_by(|(a, _), (b, _)| a.lexical(b))
+    }
+
     /// A number and the polynomial that it multiplies, whose first coefficient is 1.
     pub fn monic(&self) -> (BigRational, Self) {
         match self.0.first_key_value() {
@@ -238,6 +261,20 @@ mod tests {
         assert!(product.minus(&product).is_zero());
         assert_eq!(number(2).as_constant(), Some(BigRational::from_integer(2.into())));
         assert_eq!((x.as_atom(), number(1).as_atom()), (Some(Atom(0)), None));
+    }
+
+    #[test]
+    fn quotients_are_exact_or_none() {
+        let (x, y) = (Polynomial::atom(Atom(0)), Polynomial::atom(Atom(1)));
+        let factors = [x.times(&y).plus(&number(2)), x.minus(&y.power(3)), y.plus(&number(1)), number(7)];
+        let product = factors.iter().fold(number(1), |product, factor| product.times(factor));
+        for factor in &factors {
+            let quotient = product.quotient(factor).unwrap();
+            assert_eq!(quotient.times(factor), product);
+        }
+        assert_eq!(product.quotient(&x), None);
+        assert_eq!(factors[1].quotient(&product), None);
+        assert_eq!(product.quotient(&Polynomial::default()), None);
     }
 
     #[test]

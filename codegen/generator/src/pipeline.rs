@@ -69,11 +69,17 @@ pub enum PipelineError {
 }
 
 impl PipelineError {
-    /// The kernel whose text or bound is not proved, and which of them, if that is the cause.
-    fn unproved_kernel(&self) -> Option<(&str, &'static str)> {
+    /// The kernel whose text or bound is not proved, and what of it, if that is the cause.
+    fn unproved_kernel(&self) -> Option<(&str, String)> {
         match self {
-            Self::Unproved { kernel, .. } => Some((kernel, "its stable form is not proved to be equal to the formula")),
-            Self::Bound { kernel, .. } => Some((kernel, "the bound of its stable form is not proved")),
+            Self::Unproved { kernel, .. } => {
+                Some((kernel, "its stable form is not proved to be equal to the formula".to_owned()))
+            }
+            Self::Bound { kernel, cause } => {
+                let cause = cause.to_string();
+                let first = cause.lines().next().unwrap_or_default();
+                Some((kernel, format!("the bound of its stable form is not proved: {first}")))
+            }
             _ => None,
         }
     }
@@ -142,11 +148,11 @@ fn take_as_written(
     unmade: &mut Vec<PipelineError>,
 ) -> bool {
     let name = |kernel: &KernelText| format!("{}::{}", family.name, kernel.name);
-    let open: BTreeMap<&str, &str> = unproved.iter().filter_map(PipelineError::unproved_kernel).collect();
+    let open: BTreeMap<&str, String> = unproved.iter().filter_map(PipelineError::unproved_kernel).collect();
     for kernel in kernels {
         let contract = family.contract.kernels.iter().find(|contract| contract.name == kernel.name);
         let (Some(because), Some(contract)) = (open.get(name(kernel).as_str()), contract) else { continue };
-        match as_written(family, &family.completed(contract), (*because).to_owned()) {
+        match as_written(family, &family.completed(contract), because.clone()) {
             Ok(made) => *kernel = made,
             Err(cause) => unmade.push(PipelineError::Kernel { kernel: name(kernel), cause }),
         }
@@ -156,16 +162,16 @@ fn take_as_written(
 
 fn as_written(family: &Family, kernel: &KernelContract, because: String) -> Result<KernelText, KernelError> {
     let made = make_as_written(&family.contract, kernel, &references_of(family, kernel), because)?;
-    let too_large = || KernelError::Written { function: kernel.name.clone(), cause: WrittenError::TooLarge };
-    reads_back(family, &made).then_some(made).ok_or_else(too_large)
+    match beyond_the_language(family, &made) {
+        None => Ok(made),
+        Some(_) => Err(KernelError::Written { function: kernel.name.clone(), cause: WrittenError::TooLarge }),
+    }
 }
 
-/// Why a text does not read back: the kernel language has limits, for slices above all.
-const TOO_LARGE: &str = "its stable form is too large, or has the circle constant in a sum that may cancel";
-
-/// Whether the text of a kernel can be read back.
-fn reads_back(family: &Family, kernel: &KernelText) -> bool {
-    closedform_syntax::parse_file(&module_text(family, std::slice::from_ref(kernel))).is_ok()
+/// Why the text of a kernel does not read back, if it does not: the kernel language has limits, for slices above all.
+fn beyond_the_language(family: &Family, kernel: &KernelText) -> Option<String> {
+    let cause = closedform_syntax::parse_file(&module_text(family, std::slice::from_ref(kernel))).err()?;
+    Some(format!("its stable form is beyond the kernel language: {cause}"))
 }
 
 fn make_kernel(
@@ -180,8 +186,11 @@ fn make_kernel(
     let references = references_of(family, kernel);
     let made = match make(algebra, &family.contract, kernel, &references) {
         Err(cause) if cause.leaves_the_formula_as_written() => as_written(family, kernel, cause.to_string()),
-        Ok(made) if !reads_back(family, &made) => as_written(family, kernel, TOO_LARGE.to_owned()),
-        made => made,
+        Err(cause) => Err(cause),
+        Ok(made) => match beyond_the_language(family, &made) {
+            Some(because) => as_written(family, kernel, because),
+            None => Ok(made),
+        },
     };
     made.map_err(|cause| PipelineError::Kernel { kernel: name, cause })
 }

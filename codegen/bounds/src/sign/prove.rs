@@ -61,7 +61,7 @@ impl Search {
             return sign;
         }
         self.left.set(left - 1);
-        let ways = [Self::by_slack, Self::by_multiples, Self::by_discriminant];
+        let ways = [Self::by_factors, Self::by_slack, Self::by_multiples, Self::by_discriminant];
         for way in ways {
             sign = sign.and(way(self, facts, core, depth));
             if sign.is_definite() {
@@ -69,6 +69,16 @@ impl Search {
             }
         }
         sign
+    }
+
+    /// A fact that divides the polynomial, and the sign of the quotient; or one that is not zero, which it divides.
+    fn by_factors(&self, facts: &Facts, polynomial: &Polynomial, depth: usize) -> Sign {
+        let by_fact = |(known, sign): &(Polynomial, Sign)| match polynomial.quotient(known) {
+            Some(quotient) => sign.times(self.infer(facts, &quotient, depth - 1)),
+            None if sign.is(Sign::NONZERO) && known.quotient(polynomial).is_some() => Sign::NONZERO,
+            None => Sign::ANY,
+        };
+        facts.known().iter().map(by_fact).fold(Sign::ANY, Sign::and)
     }
 
     /// A fact that is linear in an atom stands for that atom: `f = a*x + b` of known sign, `a` of known sign.
@@ -231,6 +241,25 @@ mod tests {
         facts.learn(&y.minus(&z), Sign::NONNEGATIVE);
         assert!(facts.sign(&x.minus(&z)).is(Sign::NONNEGATIVE), "two facts");
         assert_eq!(facts.sign(&x.times(&x).minus(&y.times(&z))), Sign::POSITIVE);
+    }
+
+    #[test]
+    fn facts_divide_and_are_divided() {
+        let (x, y) = (atom(0), atom(1));
+        let square = |p: &Polynomial| p.times(p);
+        let difference = square(&x).minus(&number(1));
+        let mut facts = Facts::default();
+        facts.learn(&difference, Sign::NONZERO);
+        facts.learn(&x, Sign::NONZERO);
+        assert!(facts.sign(&square(&square(&x)).minus(&number(1))).is(Sign::NONZERO), "times x^2+1");
+        assert!(facts.sign(&x.times(&difference).times(&number(-3))).is(Sign::NONZERO), "times x");
+        assert!(facts.sign(&x.plus(&number(1))).is(Sign::NONZERO), "a factor");
+        assert_eq!(facts.sign(&x.plus(&number(2))), Sign::ANY);
+        assert_eq!(facts.sign(&difference.times(&y)), Sign::ANY);
+        let mut facts = positive(2);
+        facts.learn(&x.minus(&y), Sign::NONPOSITIVE);
+        assert_eq!(facts.sign(&square(&x).minus(&square(&y))), Sign::NONPOSITIVE);
+        assert_eq!(Facts::default().sign(&difference), Sign::ANY);
     }
 
     #[test]

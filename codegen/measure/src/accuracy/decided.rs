@@ -65,10 +65,11 @@ pub fn results(kernel: &Kernel, point: &[f64]) -> Result<Vec<f64>, Violation> {
     Ok(answer(kernel, point)?.into_iter().map(|result| result.value).collect())
 }
 
-/// Whether the promise of the kernel's bounds covers a point of its domain: no result over- or underflows. A kernel that
-/// refuses the point, or has no value there, has no excuse.
+/// Whether the promise of the kernel's bounds covers a point of its domain: no result over- or underflows, and none is
+/// undecided, as an exact zero of a certified kernel may be. A kernel that refuses the point, or has no value there, has no
+/// excuse.
 pub fn covers(kernel: &Kernel, point: &[f64]) -> bool {
-    let held = |result: Rounded| !matches!(result.fate, Fate::Overflows | Fate::Underflows);
+    let held = |result: Rounded| !matches!(result.fate, Fate::Overflows | Fate::Underflows | Fate::Undecided);
     answer(kernel, point).map_or(true, |results| results.into_iter().all(held))
 }
 

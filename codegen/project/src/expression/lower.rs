@@ -105,7 +105,10 @@ fn power(base: &Ast, exponent: &Ast, ast: &Ast) -> Result<Expr, LowerError> {
         _ => Err(unsupported(
             ast,
             &format!("the exponent {exponent_value}"),
-            "only integers and halves are possible; give a root of a polynomial as positive_root(polynomial, x)",
+            &format!(
+                "only integers and halves up to {MAX_EXPONENT} are possible; give a root of a polynomial as \
+                 positive_root(polynomial, x)"
+            ),
         )),
     }
 }

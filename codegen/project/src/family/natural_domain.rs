@@ -91,6 +91,10 @@ fn not_zero(expr: &Expr, texts: &mut Vec<String>) {
             not_zero(left, texts)
         }
         ExprKind::Call { .. } => match expr.as_call() {
+            // what is never negative is positive where it is not zero
+            Some(("sqrt", [radicand])) if matches!(radicand.as_call(), Some(("sqrt" | "abs", _))) => {
+                not_zero(radicand, texts)
+            }
             Some(("sqrt", [radicand])) => condition(radicand, ">", texts),
             Some(("abs", [inner])) => not_zero(inner, texts),
             _ => condition(expr, "#", texts),
@@ -142,6 +146,8 @@ mod tests {
         assert_eq!(texts("x^2.0*y^(1-2)*z^(4/2)", &["x", "y", "z"]), ["y # 0"]);
         assert_eq!(texts("x^(1-3/2)*y^(0.5+1)", &["x", "y"]), ["x > 0", "y >= 0"]);
         assert_eq!(texts("a/(2*b)", &["a", "b"]), ["b # 0"]);
+        assert_eq!(texts("a/sqrt(sqrt(b))", &["a", "b"]), ["b >= 0", "b > 0"]);
+        assert_eq!(texts("a/sqrt(abs(b))", &["a", "b"]), ["b # 0"]);
         assert_eq!(texts("a/%pi+a^2", &["a"]), [""; 0]);
     }
 
