@@ -1,0 +1,14 @@
+//! What must hold of any text that is read as Rust with kernels.
+
+use closedform_syntax::{certificate, operations, ordinary, parse_file};
+
+/// The text is read or refused with a reason, and of every kernel that was read the macro can tell what it needs.
+pub fn kernel(text: &str) {
+    match parse_file(text) {
+        Ok(kernels) => kernels.iter().for_each(|kernel| {
+            assert_eq!(certificate(kernel), certificate(kernel));
+            let (_, _) = (operations(kernel), ordinary(kernel));
+        }),
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
+}
