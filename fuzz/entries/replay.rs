@@ -14,7 +14,22 @@ const LONGEST: usize = 4_000;
 
 /// Pieces that many grammars take for more than bytes.
 const PIECES: [&[u8]; 16] = [
-    b"(", b")", b"[", b"]", b"{", b"}", b"\"", b"/*", b"*/", b"$", b"\n", b"0", b"1e999", b"-", b"\xff", "\u{2028}".as_bytes(),
+    b"(",
+    b")",
+    b"[",
+    b"]",
+    b"{",
+    b"}",
+    b"\"",
+    b"/*",
+    b"*/",
+    b"$",
+    b"\n",
+    b"0",
+    b"1e999",
+    b"-",
+    b"\xff",
+    "\u{2028}".as_bytes(),
 ];
 
 /// Runs `entry` on every file of `fuzz/corpus/NAME` and on changed ones.

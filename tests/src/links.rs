@@ -30,6 +30,7 @@ pub fn complaints(
 /// What the links of a text lead to, outside code.
 pub fn targets(text: &str) -> Vec<String> {
     let text = without_code(text);
+    let text = text.as_str();
     let after = |(start, end): (&'static str, char)| {
         let links = text.match_indices(start).map(move |(at, _)| &text[at + start.len()..]);
         links.filter_map(move |rest| Some(rest.split_once(end)?.0.to_owned())).collect::<Vec<_>>()

@@ -13,11 +13,7 @@ fn documents() -> Vec<Source> {
 fn links_lead_somewhere() {
     let root = workspace::root();
     let broken = |document: &Source| {
-        links::complaints(
-            document,
-            |path| root.join(path).exists(),
-            |path| fs::read_to_string(root.join(path)).ok(),
-        )
+        links::complaints(document, |path| root.join(path).exists(), |path| fs::read_to_string(root.join(path)).ok())
     };
     let complaints: Vec<String> = documents().iter().flat_map(broken).collect();
     assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
@@ -29,6 +25,7 @@ fn the_summary_names_every_page_of_the_book() {
     let pages = documents.iter().filter_map(|document| document.path.strip_prefix("book/src/"));
     let summary = fs::read_to_string(workspace::root().join("book/src/SUMMARY.md")).expect("SUMMARY.md can be read");
     let named = links::targets(&summary);
-    let missing: Vec<&str> = pages.filter(|page| *page != "SUMMARY.md" && !named.iter().any(|name| name == page)).collect();
+    let missing: Vec<&str> =
+        pages.filter(|page| *page != "SUMMARY.md" && !named.iter().any(|name| name == page)).collect();
     assert!(!named.is_empty() && missing.is_empty(), "SUMMARY.md does not name {missing:?}");
 }

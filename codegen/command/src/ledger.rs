@@ -23,7 +23,8 @@ pub struct Args {
 pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
     let catalogue = Catalogue::open(root)?;
     let rows = ledger::rows(root, &catalogue, ledger::POINTS)?;
-    let changed = usize::from(kernel_table::update(root, &catalogue, &rows)?) + usize::from(ledger::update(root, &rows)?);
+    let changed =
+        usize::from(kernel_table::update(root, &catalogue, &rows)?) + usize::from(ledger::update(root, &rows)?);
     if args.json {
         output::print_json(&rows)?
     } else {
