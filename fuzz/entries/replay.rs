@@ -38,8 +38,9 @@ const PIECES: [&[u8]; 16] = [
 ///
 /// There is no corpus, or the entry panics: then the input is shown.
 pub fn replay(name: &str, entry: impl Fn(&[u8]) + panic::RefUnwindSafe) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().map(|above| above.join("fuzz/corpus").join(name));
-    let folder = folder.into_iter().find(|folder| folder.is_dir()).expect("the corpus is above the crate");
+    let mut folders =
+        Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().map(|above| above.join("fuzz/corpus").join(name));
+    let folder = folders.find(|folder| folder.is_dir()).expect("the corpus is above the crate");
     let mut paths: Vec<_> = fs::read_dir(folder).expect("a folder").map(|file| file.expect("a file").path()).collect();
     paths.sort();
     let corpus: Vec<Vec<u8>> = paths.iter().map(|path| fs::read(path).expect("a file")).collect();
