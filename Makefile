@@ -1,10 +1,14 @@
 # Two commands: `make run` makes the kernels, `make test` proves and judges everything. Both install what they need.
+# The others are for who changes closedform: CONTRIBUTING.md says when.
 
 CARGO ?= cargo
 # the random cases of property tests; another seed tries others
 SEED ?= 1
 
-.PHONY: run test tools
+# how long each fuzz target runs
+SECONDS_EACH ?= 900
+
+.PHONY: run test test-all lowest-rust fuzz tools
 
 run: tools
 	@echo "building the generator; the first time that takes some minutes, most of them for Symbolica and GMP"
@@ -14,6 +18,25 @@ run: tools
 test: tools
 	$(CARGO) test --package closedform-symbolica
 	PROPTEST_RNG_SEED=$(SEED) $(CARGO) test --no-fail-fast
+
+# Ten to twenty times as many points as `make test`.
+test-all: test
+	CLOSEDFORM_BUDGET=full PROPTEST_RNG_SEED=$(SEED) $(CARGO) test --no-fail-fast --package closedform-tests
+
+# The lowest Rust version that Cargo.toml claims builds everything.
+lowest-rust: tools
+	version=$$(sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml) && \
+	rustup toolchain install $$version --profile minimal && \
+	cargo +$$version check --target-dir target/lowest-rust && \
+	cargo +$$version check --target-dir target/lowest-rust --package closedform-symbolica
+
+# What the fuzzer finds new goes below target/, what breaks a target below fuzz/artifacts/.
+fuzz:
+	for target in worksheet contract kernel gcode; do \
+		mkdir -p target/fuzz-corpus/$$target && \
+		cargo +nightly fuzz run $$target target/fuzz-corpus/$$target fuzz/corpus/$$target -- \
+			-max_total_time=$(SECONDS_EACH) -timeout=20 || exit 1; \
+	done
 
 # GMP is built from source and needs m4; the judges run the worksheets in Maxima, and ask it for functions of its library
 # `stringproc`, which Debian keeps in a package of its own.

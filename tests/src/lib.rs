@@ -23,6 +23,7 @@ pub mod kept;
 pub mod kernels;
 pub mod laws;
 pub mod layering;
+pub mod links;
 pub mod parallel;
 pub mod plain;
 pub mod random;

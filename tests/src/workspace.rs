@@ -21,7 +21,7 @@ pub fn root() -> PathBuf {
 }
 
 /// Hidden names that belong to the project; all others belong to tools.
-const SHOWN: [&str; 3] = [".ci", ".gitattributes", ".gitignore"];
+const SHOWN: [&str; 4] = [".ci", ".gitattributes", ".github", ".gitignore"];
 
 /// Every text file of the workspace, in order of their paths; git is not asked, because an archive has no repository.
 pub fn files() -> Vec<Source> {

@@ -1,7 +1,7 @@
 //! `closedform check`: the generated kernels are what the references say, and with `--maxima` what Maxima says today.
 
 use super::generate::{kernels, worksheets};
-use super::{readme, verdicts};
+use super::{kernel_table, verdicts};
 use crate::worker::{self, Source};
 use clap::Args as ClapArgs;
 use closedform_bounds::certified_bound_proof;
@@ -69,11 +69,11 @@ fn fresh(root: &Path) -> miette::Result<()> {
     let differences = folder::compare(&kernels(root), &generated.files).into_diagnostic()?;
     let differences = differences.iter().map(|difference| describe(root, difference));
     let mut stale: Vec<String> = unbounded(root).into_iter().chain(differences).collect();
-    if stale.is_empty() && (root.join("README.md").exists() || root.join("tests").is_dir()) {
+    if stale.is_empty() && (root.join(kernel_table::PAGE).exists() || root.join("tests").is_dir()) {
         let catalogue = Catalogue::load(&kernels(root))?;
         let rows = ledger::rows(root, &catalogue, ledger::POINTS)?;
-        let table = readme::expected(root, &catalogue, &rows).filter(|(expected, present)| expected != present);
-        stale.extend(table.map(|_| "stale: the table of kernels in README.md".to_owned()));
+        let table = kernel_table::expected(root, &catalogue, &rows).filter(|(expected, present)| expected != present);
+        stale.extend(table.map(|_| format!("stale: the table of kernels in {}", kernel_table::PAGE)));
         let ledger_text = ledger::expected(root, &rows)?.filter(|(expected, present)| expected != present);
         stale.extend(ledger_text.map(|_| format!("stale: {}", ledger::path(root).display())));
     }

@@ -37,7 +37,7 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
     let names = if args.families.is_empty() { family_names(&folder)? } else { args.families.clone() };
     if names.is_empty() {
         bail!(
-            help = "write a worksheet NAME.mac and its contract NAME.toml there; ARCHITECTURE.md shows a contract",
+            help = "write a worksheet NAME.mac and its contract NAME.toml there; book/src/contract.md shows a contract",
             "{} holds no contract NAME.toml: there is nothing to derive",
             folder.display()
         );

@@ -1,6 +1,6 @@
 //! `closedform generate`: references to kernels, proved and measured; or a worksheet of one's own to a crate of its own.
 
-use super::{columns, readme};
+use super::{columns, kernel_table};
 use crate::own_crate::{self, Draft, Runtime};
 use crate::worker::{self, Source};
 use clap::Args as ClapArgs;
@@ -29,7 +29,7 @@ pub struct Args {
     /// A row for every kernel, not one a family
     #[arg(long)]
     all: bool,
-    /// How many points of each kernel's domain to measure for the table; README.md and the ledger are written with the default only
+    /// How many points of each kernel's domain to measure for the table; book/src/kernels.md and the ledger are written with the default only
     #[arg(long, default_value_t = ledger::POINTS)]
     points: u32,
 }
@@ -73,7 +73,7 @@ fn project(args: &Args, root: &Path) -> miette::Result<()> {
     let catalogue = Catalogue::load(&target)?;
     let rows = ledger::rows(root, &catalogue, args.points)?;
     if args.points == ledger::POINTS {
-        changed += usize::from(readme::update(root, &catalogue, &rows)?);
+        changed += usize::from(kernel_table::update(root, &catalogue, &rows)?);
         changed += usize::from(ledger::update(root, &rows)?);
     }
     report(&generated.kernels, &rows, args.all)?;

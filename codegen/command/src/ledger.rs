@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use super::readme;
+use super::kernel_table;
 use closedform_measure::catalogue::Catalogue;
 use closedform_measure::ledger::{self, Row};
 use closedform_system::output;
 
-/// Write the ledger of all kernels and the table in README.md, measured at the kept worst inputs and a sample
+/// Write the ledger of all kernels and the table in book/src/kernels.md, measured at the kept worst inputs and a sample
 #[derive(Clone, Debug, clap::Args)]
 pub struct Args {
     /// Write JSON to standard output instead of a table
@@ -23,7 +23,8 @@ pub struct Args {
 pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
     let catalogue = Catalogue::open(root)?;
     let rows = ledger::rows(root, &catalogue, ledger::POINTS)?;
-    let changed = usize::from(readme::update(root, &catalogue, &rows)?) + usize::from(ledger::update(root, &rows)?);
+    let changed =
+        usize::from(kernel_table::update(root, &catalogue, &rows)?) + usize::from(ledger::update(root, &rows)?);
     if args.json {
         output::print_json(&rows)?
     } else {

@@ -81,7 +81,7 @@ fn count(mistakes: usize) -> String {
 pub enum Mistake {
     /// Not TOML, or not the keys of a scan.
     #[error("{message}")]
-    #[diagnostic(help("ARCHITECTURE.md shows a row with every key it may have"))]
+    #[diagnostic(help("book/src/errata.md shows a row with every key it may have"))]
     Toml {
         /// What the TOML reader says.
         message: String,

@@ -146,7 +146,7 @@ impl Problem {
             Self::NothingToRepair => "remove `repair` and `reads`",
             Self::SameValue { .. } => "choose an example at which they differ, or `shows` what differs",
             Self::Unproved { .. } => "correct `right` or its proof",
-            Self::Missing(..) => "add it; ARCHITECTURE.md has the keys of each verdict",
+            Self::Missing(..) => "add it; book/src/errata.md has the keys of each verdict",
             Self::Needless(..) => "remove it, or add what belongs to it",
             Self::NoNumber(_) => "give every symbol a number in `example`, or let `shows` pick what has a number",
             Self::Unstable => "choose another example",

@@ -113,7 +113,7 @@ pub fn load_under_any_name(path: &Path) -> Result<Contract, ContractError> {
 }
 
 fn read(path: &Path) -> Result<String, ContractError> {
-    Ok(source::read(path, "write the contract of this family; ARCHITECTURE.md shows its format")?)
+    Ok(source::read(path, "write the contract of this family; book/src/contract.md shows its format")?)
 }
 
 /// Checks the text of a contract; `path` names it in errors.

@@ -1,6 +1,11 @@
 //! What the commands need of the operating system: outputs that may close, temporary files that may be left behind, the
 //! processor time of others, and the turn to use what runs once a machine.
 
+#[cfg(not(unix))]
+compile_error!(
+    "this crate needs Unix: signals and permissions of files; the crates that do not are kernels, motion, bounds, maxima"
+);
+
 pub mod output;
 pub mod processor;
 pub mod scratch;

@@ -47,7 +47,7 @@ fn count(mistakes: usize) -> String {
 pub enum Mistake {
     /// Not TOML, or not the tables and keys of a contract.
     #[error("{message}")]
-    #[diagnostic(help("ARCHITECTURE.md shows a contract with every key it may have"))]
+    #[diagnostic(help("book/src/contract.md shows a contract with every key it may have"))]
     Toml {
         /// What the TOML reader says.
         message: String,

@@ -46,7 +46,7 @@ pub enum WorksheetMistake {
     #[error("{}", computing(*statements))]
     #[diagnostic(help(
         "a worksheet that computes needs Maxima: write a contract NAME.toml beside it, run `closedform derive --folder DIR \
-         NAME`, and then this command again; ARCHITECTURE.md shows a contract"
+         NAME`, and then this command again; book/src/contract.md shows a contract"
     ))]
     Computes {
         /// How many.

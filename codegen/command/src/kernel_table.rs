@@ -1,4 +1,4 @@
-//! The table of kernels in README.md: written by `generate`, compared by `check`.
+//! The table of kernels in the book: written by `generate`, compared by `check`.
 
 use closedform_measure::catalogue::{Catalogue, Entry};
 use closedform_measure::ledger::{Row, costs_of, naive_of, worst_of};
@@ -8,12 +8,15 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::{fs, io};
 
+/// The page that holds the table, below the root.
+pub const PAGE: &str = "book/src/kernels.md";
+
 const BEGIN: &str = "<!-- kernels: written by `closedform generate` -->\n";
 const END: &str = "<!-- end of kernels -->\n";
 
-/// README.md as it should be, and as it is; `None` where there is none or it holds no table.
+/// The page as it should be, and as it is; `None` where there is none or it holds no table.
 pub fn expected(root: &Path, catalogue: &Catalogue, rows: &[Row]) -> Option<(String, String)> {
-    let text = fs::read_to_string(root.join("README.md")).ok()?;
+    let text = fs::read_to_string(root.join(PAGE)).ok()?;
     let (before, rest) = text.split_once(BEGIN)?;
     let (_, after) = rest.split_once(END)?;
     let expected = format!("{before}{BEGIN}{}{END}{after}", table(catalogue, rows));
@@ -30,12 +33,12 @@ pub fn update(root: &Path, catalogue: &Catalogue, rows: &[Row]) -> miette::Resul
     if expected == present {
         return Ok(false);
     }
-    write(root, &expected).map_err(|cause| miette::miette!("cannot write README.md: {cause}"))?;
+    write(root, &expected).map_err(|cause| miette::miette!("cannot write {PAGE}: {cause}"))?;
     Ok(true)
 }
 
 fn write(root: &Path, text: &str) -> io::Result<()> {
-    let path = root.join("README.md");
+    let path = root.join(PAGE);
     let file = scratch::beside(&path)?;
     fs::write(file.path(), text)?;
     file.as_file().set_permissions(fs::metadata(&path)?.permissions())?;

@@ -1,0 +1,13 @@
+(holes on a grid, with a canned cycle)
+G21 G90 G17
+G0 Z10
+G0 X10 Y10
+G98 G81 Z-5 R2 F100
+X20
+X30
+G80
+G0 X0 Y0
+G28 G91 Z0
+G90
+G0 Z20
+M30

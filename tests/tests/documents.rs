@@ -1,0 +1,31 @@
+//! Documents: every link leads somewhere, and the book has all its pages.
+
+use std::fs;
+
+use closedform_tests::links;
+use closedform_tests::workspace::{self, Source};
+
+fn documents() -> Vec<Source> {
+    workspace::files().into_iter().filter(|file| file.path.ends_with(".md")).collect()
+}
+
+#[test]
+fn links_lead_somewhere() {
+    let root = workspace::root();
+    let broken = |document: &Source| {
+        links::complaints(document, |path| root.join(path).exists(), |path| fs::read_to_string(root.join(path)).ok())
+    };
+    let complaints: Vec<String> = documents().iter().flat_map(broken).collect();
+    assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
+}
+
+#[test]
+fn the_summary_names_every_page_of_the_book() {
+    let documents = documents();
+    let pages = documents.iter().filter_map(|document| document.path.strip_prefix("book/src/"));
+    let summary = fs::read_to_string(workspace::root().join("book/src/SUMMARY.md")).expect("SUMMARY.md can be read");
+    let named = links::targets(&summary);
+    let missing: Vec<&str> =
+        pages.filter(|page| *page != "SUMMARY.md" && !named.iter().any(|name| name == page)).collect();
+    assert!(!named.is_empty() && missing.is_empty(), "SUMMARY.md does not name {missing:?}");
+}
