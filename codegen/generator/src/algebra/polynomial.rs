@@ -425,7 +425,8 @@ fn compare_terms(left: &[Term], right: &[Term]) -> Ordering {
     Ordering::Equal
 }
 
-fn rational_gcd(left: &BigRational, right: &BigRational) -> BigRational {
+/// The largest rational of which both are integer multiples.
+pub(super) fn rational_gcd(left: &BigRational, right: &BigRational) -> BigRational {
     if left.is_zero() {
         return right.abs();
     }
