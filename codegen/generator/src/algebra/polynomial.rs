@@ -33,7 +33,7 @@ pub trait Implementation: Clone + fmt::Debug + PartialEq + Send + Sync + 'static
     fn gcd(&self, other: &Self) -> Self;
     /// The quotient, if the division leaves no remainder.
     fn quotient(&self, other: &Self) -> Option<Self>;
-    /// Irreducible factors and their exponents, whose product this is, but for a constant. Constants may be among them.
+    /// Irreducible factors and their exponents, whose product this is. Constants may be among them.
     fn factors(&self) -> Vec<(Self, u32)>;
 }
 

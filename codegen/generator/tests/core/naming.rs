@@ -13,7 +13,7 @@ const TAKEN: [&str; 8] = ["sum", "product", "root", "difference2", "quotient", "
 /// How often each node is used by those that some outputs need, once for each step that uses it.
 fn uses(graph: &Graph, outputs: &[Node]) -> BTreeMap<Node, usize> {
     let mut uses: BTreeMap<Node, usize> = outputs.iter().map(|&output| (output, 0)).collect();
-    let mut open: Vec<Node> = outputs.to_vec();
+    let mut open: Vec<Node> = uses.keys().copied().collect();
     while let Some(node) = open.pop() {
         for operand in graph.operands(node) {
             let known = uses.contains_key(&operand);

@@ -27,7 +27,8 @@ fn does_not_cancel(ring: &Ring, nested: &Nested, at: &[BigRational]) -> bool {
             let parts = [expanded(ring, a), expanded(ring, b)];
             let [left, right] = [0, 1].map(|part| Sign::of(&value(&parts[part], at)));
             let exact = parts.iter().all(|part| part.len() == 1 && part.terms()[0].exponents.iter().sum::<u16>() <= 1);
-            let stated = left.is(signs[0]) && right.is(signs[1]) && Sign::of(&value(&expanded(ring, nested), at)).is(signs[2]);
+            let stated =
+                left.is(signs[0]) && right.is(signs[1]) && Sign::of(&value(&expanded(ring, nested), at)).is(signs[2]);
             let agree = left.plus(right).is_definite();
             stated && (agree || exact) && does_not_cancel(ring, a, at) && does_not_cancel(ring, b, at)
         }

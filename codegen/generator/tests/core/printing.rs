@@ -142,7 +142,8 @@ fn order_of(op: Comparison) -> Order {
 }
 
 fn conditions(nodes: &[Node], choices: &[(usize, usize)]) -> Condition {
-    let orders = [Order::Less, Order::LessOrEqual, Order::Greater, Order::GreaterOrEqual, Order::Equal, Order::NotEqual];
+    let orders =
+        [Order::Less, Order::LessOrEqual, Order::Greater, Order::GreaterOrEqual, Order::Equal, Order::NotEqual];
     let compare = |&(a, b): &(usize, usize)| {
         Condition::Compare(nodes[a % nodes.len()], orders[(a ^ b) % orders.len()], nodes[b % nodes.len()])
     };

@@ -133,16 +133,41 @@ fn known_factors_are_found() {
         ("x^8 + 1 is cyclotomic", power(&x, 8).plus(&one), 1),
         ("x^4 + 1 has factors modulo every prime", power(&x, 4).plus(&one), 1),
         ("Eisenstein: x^5 - 2", power(&x, 5).minus(&ring.integer(2)), 1),
-        ("Sophie Germain: x^4 + 4*y^4", power(&x, 4).plus(&power(&y, 4).scaled(&BigRational::from_integer(4.into()))), 2),
+        (
+            "Sophie Germain: x^4 + 4*y^4",
+            power(&x, 4).plus(&power(&y, 4).scaled(&BigRational::from_integer(4.into()))),
+            2,
+        ),
         ("x^6 - y^6", power(&x, 6).minus(&power(&y, 6)), 4),
-        ("x^3 + y^3 + z^3 - 3*x*y*z", power(&x, 3).plus(&power(&y, 3)).plus(&power(&z, 3)).minus(&x.times(&y).times(&z).scaled(&BigRational::from_integer(3.into()))), 2),
+        (
+            "x^3 + y^3 + z^3 - 3*x*y*z",
+            power(&x, 3)
+                .plus(&power(&y, 3))
+                .plus(&power(&z, 3))
+                .minus(&x.times(&y).times(&z).scaled(&BigRational::from_integer(3.into()))),
+            2,
+        ),
         ("x^3 + y^3 + z^3 is smooth", power(&x, 3).plus(&power(&y, 3)).plus(&power(&z, 3)), 1),
-        ("(x^3 + y^3 + 1)*(x^3 + 2*y^3 + 3)", power(&x, 3).plus(&power(&y, 3)).plus(&one).times(&power(&x, 3).plus(&power(&y, 3).scaled(&BigRational::from_integer(2.into()))).plus(&ring.integer(3))), 2),
+        (
+            "(x^3 + y^3 + 1)*(x^3 + 2*y^3 + 3)",
+            power(&x, 3).plus(&power(&y, 3)).plus(&one).times(
+                &power(&x, 3).plus(&power(&y, 3).scaled(&BigRational::from_integer(2.into()))).plus(&ring.integer(3)),
+            ),
+            2,
+        ),
         ("(x + 1)*(y + 1), whose images share a factor", x.plus(&one).times(&y.plus(&one)), 2),
-        ("((x^3 + 2)*(y^3 + 2))^2", power(&x, 3).plus(&ring.integer(2)).times(&power(&y, 3).plus(&ring.integer(2))).power(2), 4),
+        (
+            "((x^3 + 2)*(y^3 + 2))^2",
+            power(&x, 3).plus(&ring.integer(2)).times(&power(&y, 3).plus(&ring.integer(2))).power(2),
+            4,
+        ),
         ("x^2*y^3*z", power(&x, 2).times(&power(&y, 3)).times(&z), 6),
         ("the difference of two squares of sums", power(&x.plus(&y), 2).minus(&power(&z, 2)), 2),
-        ("a quadratic without a rational root", power(&x, 2).minus(&power(&y, 2).scaled(&BigRational::from_integer(2.into()))), 1),
+        (
+            "a quadratic without a rational root",
+            power(&x, 2).minus(&power(&y, 2).scaled(&BigRational::from_integer(2.into()))),
+            1,
+        ),
     ] {
         let found = polynomial.factors();
         assert_eq!(count(&polynomial), factors, "{what}: {:?}", found.powers);

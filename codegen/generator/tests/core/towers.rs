@@ -85,7 +85,8 @@ fn value_of_element(tower: &Tower, element: &Element, point: &[BigRational]) -> 
         let inside = real_value(&radical.radicand, |var| lookup(&values, var));
         values.push((radical.var, inside.sqrt()));
     }
-    real_value(&element.numerator, |var| lookup(&values, var)) / real_value(&element.denominator, |var| lookup(&values, var))
+    real_value(&element.numerator, |var| lookup(&values, var))
+        / real_value(&element.denominator, |var| lookup(&values, var))
 }
 
 fn lookup(values: &[(Var, Float)], var: Var) -> Float {
@@ -143,7 +144,8 @@ fn roots_of_squares_and_products_of_roots_are_seen() {
     }
     let mut tower = tower();
     assert_ne!(form(&mut tower, "sqrt((x-y)^2)"), form(&mut tower, "x-y"), "the sign of x-y is open");
-    for none in ["1/(x-x)", "sqrt(-2)", "z", "x^65", "1+max(x,y)"] {
+    for none in ["1/(x-x)", "sqrt(-2)", "z", "1+max(x,y)"] {
         assert!(form(&mut tower, none).is_err(), "{none}");
     }
+    assert!(tower.canonical(&Expr::Power(Box::new(Expr::symbol("x")), 65)).is_err());
 }

@@ -97,5 +97,7 @@ pub fn agree(a: &Float, b: &Float, magnitude: &Float) -> bool {
 
 /// The product of powers of polynomials.
 pub fn product<'p>(ring: &Ring, powers: impl IntoIterator<Item = &'p (Polynomial, u32)>) -> Polynomial {
-    powers.into_iter().fold(ring.constant(&BigRational::one()), |product, (factor, exponent)| product.times(&factor.power(*exponent)))
+    powers
+        .into_iter()
+        .fold(ring.constant(&BigRational::one()), |product, (factor, exponent)| product.times(&factor.power(*exponent)))
 }

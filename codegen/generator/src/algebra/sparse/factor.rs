@@ -7,10 +7,20 @@ use super::recombine;
 use super::{Implementation, Sparse, Var};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::Signed;
+use num_traits::{Signed, Zero};
 
-/// The irreducible factors and their exponents; the product is the polynomial, but for a constant.
+/// The irreducible factors and their exponents, and a constant among them, whose product is the polynomial.
 pub fn factors(polynomial: &Sparse) -> Vec<(Sparse, u32)> {
+    let mut found = integral_factors(polynomial);
+    let leading = |factor: &Sparse| factor.leading().map_or_else(BigRational::zero, |(_, leading)| leading.clone());
+    let powers = found.iter().map(|(factor, exponent)| num_traits::pow(leading(factor), *exponent as usize));
+    let constant = powers.fold(leading(polynomial), |constant, power| constant / power);
+    found.push((polynomial.constant(&constant), 1));
+    found
+}
+
+/// The factors that are no constants; the product is the polynomial but for one.
+fn integral_factors(polynomial: &Sparse) -> Vec<(Sparse, u32)> {
     let mut found = Vec::new();
     let mut rest = polynomial.integral();
     for var in polynomial.variables() {
@@ -22,7 +32,7 @@ pub fn factors(polynomial: &Sparse) -> Vec<(Sparse, u32)> {
     }
     for var in rest.variables() {
         let (content, primitive) = split_content(&rest, var);
-        found.extend(factors(&content));
+        found.extend(integral_factors(&content));
         rest = primitive;
     }
     if let Some(var) = least_variable(&rest) {
@@ -61,7 +71,8 @@ fn without_repeats(polynomial: &Sparse, var: Var) -> Vec<(Sparse, u32)> {
 
 fn derivative(polynomial: &Sparse, var: Var) -> Sparse {
     let coefficients = polynomial.coefficients(var).into_iter().zip(0..).skip(1);
-    let slopes: Vec<Sparse> = coefficients.map(|(c, power)| c.scaled(&BigRational::from_integer(power.into()))).collect();
+    let slopes: Vec<Sparse> =
+        coefficients.map(|(c, power)| c.scaled(&BigRational::from_integer(power.into()))).collect();
     Sparse::of_coefficients(polynomial.size, &slopes, var)
 }
 
@@ -114,14 +125,16 @@ fn factors_of_quadratic(polynomial: &Sparse, var: Var) -> Vec<Sparse> {
 /// The polynomial whose square this is, by its terms from the leading one.
 fn square_root(square: &Sparse) -> Option<Sparse> {
     let (exponents, coefficient) = square.leading()?;
-    let halves: Option<Vec<u16>> = exponents.iter().map(|exponent| (exponent % 2 == 0).then_some(exponent / 2)).collect();
+    let halves: Option<Vec<u16>> =
+        exponents.iter().map(|exponent| (exponent % 2 == 0).then_some(exponent / 2)).collect();
     let leading = Sparse::term(&root_of_rational(coefficient)?, &halves?);
     let highest: Vec<u16> = (0..square.size).map(|var| square.degree(Var(var)) / 2).collect();
     let mut root = leading.clone();
     loop {
         let rest = square.minus(&root.times(&root));
         let Some((exponents, coefficient)) = rest.leading() else { return Some(root) };
-        let next = Sparse::term(coefficient, exponents).quotient(&leading.scaled(&BigRational::from_integer(2.into())))?;
+        let next =
+            Sparse::term(coefficient, exponents).quotient(&leading.scaled(&BigRational::from_integer(2.into())))?;
         // the terms fall, and there are only so many below the highest exponents
         let (next_exponents, _) = next.leading()?;
         if next_exponents.iter().zip(&highest).any(|(exponent, highest)| exponent > highest) {
@@ -151,7 +164,7 @@ fn has_irreducible_image(polynomial: &Sparse, var: Var) -> bool {
         others.iter().enumerate().fold(polynomial.clone(), |image, (place, &other)| image.at(other, &number(place)))
     };
     let images = if others.is_empty() { 0 } else { IMAGES };
-    (0..images).map(image).any(|image| {
-        image.degree(var) == polynomial.degree(var) && recombine::factors(&image.integral()).len() == 1
-    })
+    (0..images)
+        .map(image)
+        .any(|image| image.degree(var) == polynomial.degree(var) && recombine::factors(&image.integral()).len() == 1)
 }

@@ -8,7 +8,8 @@ use num_bigint::{BigInt, BigUint};
 use num_traits::{One, Zero};
 
 /// Exponents of Mersenne primes, 2^k - 1: they are known primes of many sizes (OEIS A000043).
-const MERSENNE: [u32; 15] = [61, 89, 107, 127, 521, 607, 1_279, 2_203, 2_281, 3_217, 4_253, 4_423, 9_689, 9_941, 11_213];
+const MERSENNE: [u32; 15] =
+    [61, 89, 107, 127, 521, 607, 1_279, 2_203, 2_281, 3_217, 4_253, 4_423, 9_689, 9_941, 11_213];
 
 /// A polynomial: its coefficients, lowest power first, the last one not zero.
 pub type Modular = Vec<BigUint>;
