@@ -57,15 +57,15 @@ const USED: [Case; 21] = [
     case("falling-newton", POSITIVE, &["positive_root(x^3+?*a*x-b,x)"]),
     case("falling-newton", POSITIVE, &["positive_root(c*x^4+?*a*x^2-b*x-d,x)"]),
     case("gathered", POSITIVE, &["(?*a+b)*(b+c)*(c+d)/((a+c)*(b+d))"]),
-    case("known-sum", "b > 0;a+b > 0", &["?*a+7*b"]),
+    case("known-sum", "b > 0;a+b > 0", &["2*a+(?+2)*b"]),
     case("merge-roots", "a > 0;b > 0", &["?*sqrt(a)*sqrt(b)/a"]),
     case("merge-roots", "a+b > 0", &["?*sqrt(a+b)/(a+b)"]),
     with(ONE_DIVISION, case("one-reciprocal", POSITIVE, &["?*a/(b*c^2)", "(a+?)/(b^3*c)"])),
     case("same-sign-radicand", "a > 0;b > 0;c > 0;12*c > 4*a^2+6*a*b", &["(sqrt(9*b^2-12*a*b+4*a^2+96*c)-3*b-6*a)/?"]),
     case("sign-branch", "b > 0", &["sqrt(a^2+?*b)-a"]),
     case("sign-branch", "b > 0", &["1/(sqrt(?*a^2+b)+a)"]),
-    case("through-result", POSITIVE, &["(sqrt(b^2+?*a*c)-b)/c", "sqrt(b^2+?*a*c)-b"]),
-    case("certified", "a >= 0;b >= 0;c >= 0;d >= 0", &["sqrt(?*a)+sqrt(b)-sqrt(c)-sqrt(d)"]),
+    case("through-result", POSITIVE, &["(sqrt(b^2+2*a*c)-b)/c", "sqrt(b^2+2*a*c)-b"]),
+    case("certified", POSITIVE, &["?+max(a,2*b)"]),
 ];
 
 /// Where they do not: what the rule would make of these is wrong, cancels, or is not worth it.

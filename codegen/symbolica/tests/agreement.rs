@@ -56,7 +56,7 @@ fn answers(ring: &Ring, [a, b, c]: [&[Term]; 3]) -> Vec<String> {
         format!("{:?}", left.divided_by(&c).map(|quotient| shown(&quotient))),
         format!("{:?}", left.plus(&b).divided_by(&c).map(|quotient| shown(&quotient))),
     ];
-    for polynomial in [&left, &right.power(2), &left.times(&b), &left.plus(&b)] {
+    for polynomial in [&left, &b.power(2), &left.times(&b), &left.plus(&b)] {
         let factors = polynomial.factors();
         let powers = factors.powers.iter().map(|(factor, exponent)| format!("({})^{exponent}", shown(factor)));
         answers.push(format!("{} {}", factors.constant, powers.collect::<Vec<_>>().join(" ")));
@@ -67,8 +67,8 @@ fn answers(ring: &Ring, [a, b, c]: [&[Term]; 3]) -> Vec<String> {
 fn random_polynomials_have_the_same_divisors_quotients_and_factors() {
     let mut numbers = Numbers(1);
     let (large, small) = (ALGEBRA.ring(VARIABLES), SMALL.ring(VARIABLES));
-    for _ in 0..150 {
-        let [a, b, c] = [numbers.terms(4, 2), numbers.terms(4, 2), numbers.terms(3, 2)];
+    for _ in 0..40 {
+        let [a, b, c] = [numbers.terms(3, 2), numbers.terms(3, 2), numbers.terms(2, 1)];
         if [&a, &b, &c].iter().any(|terms| polynomial(&small, terms).is_zero()) {
             continue;
         }
