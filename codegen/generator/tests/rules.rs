@@ -57,7 +57,7 @@ const USED: [Case; 21] = [
     case("falling-newton", POSITIVE, &["positive_root(x^3+?*a*x-b,x)"]),
     case("falling-newton", POSITIVE, &["positive_root(c*x^4+?*a*x^2-b*x-d,x)"]),
     case("gathered", POSITIVE, &["(?*a+b)*(b+c)*(c+d)/((a+c)*(b+d))"]),
-    case("known-sum", "b > 0;a+b > 0", &["2*a+(?+2)*b"]),
+    case("known-sum", "b > 0;a+b > 0", &["2*a+(2*?+3)*b"]),
     case("merge-roots", "a > 0;b > 0", &["?*sqrt(a)*sqrt(b)/a"]),
     case("merge-roots", "a+b > 0", &["?*sqrt(a+b)/(a+b)"]),
     with(ONE_DIVISION, case("one-reciprocal", POSITIVE, &["?*a/(b*c^2)", "(a+?)/(b^3*c)"])),
