@@ -281,9 +281,13 @@ fn rules_are_refused_where_their_conditions_do_not_hold() {
 /// The coefficients change sign never, twice, or nobody knows: there may be no root, or several.
 #[test]
 fn a_root_that_is_not_the_only_one_is_refused() {
-    for (domain, polynomial) in
-        [(POSITIVE, "x^3+a*x+b"), (POSITIVE, "x^2-3*a*x+b"), ("a > 0", "x^3+a*x-b"), (POSITIVE, "b-a*x")]
-    {
+    for (domain, polynomial) in [
+        (POSITIVE, "x^3+a*x+b"),
+        (POSITIVE, "x^2-3*a*x+b"),
+        (POSITIVE, "x^3-a*x^2+b*x-c"),
+        ("a > 0", "x^3+a*x-b"),
+        (POSITIVE, "b-a*x"),
+    ] {
         let formula = Box::leak(format!("positive_root({polynomial},x)").into_boxed_str());
         let formulas: &'static [&'static str] = Box::leak(Box::new([&*formula]));
         let family = case("falling-newton", domain, formulas).family(2);
