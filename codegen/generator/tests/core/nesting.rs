@@ -45,8 +45,8 @@ proptest! {
         let ring = ALGEBRA.ring(VARIABLES + 1);
         let polynomial_of = |terms: &[(i64, Vec<u16>)]| polynomial(&ring, terms);
         let mut facts = Facts::new(&ring, Var(VARIABLES));
-        for var in 0..VARIABLES {
-            facts.learn(&ring.variable(Var(var)), Sign::of(&at[var]).or(Sign::ZERO));
+        for (var, value) in at.iter().enumerate() {
+            facts.learn(&ring.variable(Var(var)), Sign::of(value).or(Sign::ZERO));
         }
         let condition = polynomial_of(&condition);
         facts.learn(&condition, Sign::of(&value(&condition, &at)));
