@@ -52,12 +52,13 @@ const CRATES: [(&str, &str); 42] = [
 ];
 
 /// What their tests may depend on besides.
-const CRATES_IN_TESTS: [(&str, &str); 9] = [
+const CRATES_IN_TESTS: [(&str, &str); 10] = [
     ("closedform-cli", "closedform-generator"),
     ("closedform-cli", "closedform-measure"),
     ("closedform-cli", "closedform-project"),
     ("closedform-derive", "closedform"),
     ("closedform-errata", "closedform-project"),
+    ("closedform-generator", "closedform"),
     ("closedform-mutants", "closedform-measure"),
     ("closedform-symbolica", "closedform"),
     ("closedform-symbolica", "closedform-maxima"),

@@ -33,7 +33,7 @@ pub trait Implementation: Clone + fmt::Debug + PartialEq + Send + Sync + 'static
     fn gcd(&self, other: &Self) -> Self;
     /// The quotient, if the division leaves no remainder.
     fn quotient(&self, other: &Self) -> Option<Self>;
-    /// Irreducible factors and their exponents, whose product this is, but for a constant. Constants may be among them.
+    /// Irreducible factors and their exponents, whose product this is. Constants may be among them.
     fn factors(&self) -> Vec<(Self, u32)>;
 }
 
@@ -425,7 +425,8 @@ fn compare_terms(left: &[Term], right: &[Term]) -> Ordering {
     Ordering::Equal
 }
 
-fn rational_gcd(left: &BigRational, right: &BigRational) -> BigRational {
+/// The largest rational of which both are integer multiples.
+pub(super) fn rational_gcd(left: &BigRational, right: &BigRational) -> BigRational {
     if left.is_zero() {
         return right.abs();
     }

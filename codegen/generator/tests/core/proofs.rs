@@ -1,0 +1,128 @@
+//! Proofs: the texts that are generated are proved, and none that differs from them in a sign, a number or a name.
+
+use super::values::ALGEBRA;
+use closedform_generator::kernel::{ProofError, prove};
+use closedform_generator::pipeline::generate;
+use closedform_maxima::Definition;
+use closedform_project::family::Family;
+use closedform_syntax::{Kernel, parse_file};
+
+/// A domain and a formula of x and y, which is generated with the precision.
+const FORMULAS: [(&str, &str, &str); 5] = [
+    ("\"x > 0\", \"y > 0\"", "(x^2-y^2)/(x+3*y)", "double"),
+    ("\"y > 0\"", "sqrt(x^2+y)-x", "double"),
+    ("\"x >= 0\", \"y > x\"", "sqrt(y)-sqrt(y-x)", "double"),
+    ("\"x > y^2\"", "x-y^2", "double"),
+    ("\"x > 0\", \"y > 0\"", "1+max(x,2*y)", "certified"),
+];
+
+/// The family of one formula, and its generated text.
+fn made(domain: &str, formula: &str) -> (Family, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let contract = format!(
+        "[family]\ntitle = \"One\"\n[inputs]\nx = {{ name = \"x\", unit = \"1\" }}\ny = {{ name = \"y\", unit = \"1\" }}\n\
+         [[kernel]]\nname = \"one\"\ndoc = \"One.\"\ninputs = [\"x\", \"y\"]\ndomain = [{domain}]\n\
+         [[kernel.result]]\nname = \"one\"\nworksheet = \"f\"\nunit = \"1\"\n"
+    );
+    std::fs::write(folder.path().join("made.toml"), contract).unwrap();
+    std::fs::write(folder.path().join("made.mac"), format!("f(x,y):={formula}$\n")).unwrap();
+    let family = Family::from_worksheet(&folder.path().join("made.mac")).unwrap();
+    let mut generated = generate(ALGEBRA, std::slice::from_ref(&family), |_| ()).unwrap();
+    (family, generated.files.remove("made.rs").unwrap())
+}
+
+fn proof(family: &Family, kernel: &Kernel) -> Result<(), ProofError> {
+    let contract = &family.contract.kernels[0];
+    let references: Vec<Definition> = family.results().map(|(.., reference)| reference.clone()).collect();
+    prove(ALGEBRA, kernel, &family.completed(contract), &references)
+}
+
+/// Everything of a text in place of which something else could stand.
+const MISTAKES: [(&str, &str); 14] = [
+    (" + ", " - "),
+    (" - ", " + "),
+    (" * ", " + "),
+    (" / ", " * "),
+    (" > ", " < "),
+    (" >= ", " <= "),
+    ("2.0", "3.0"),
+    ("3.0", "2.0"),
+    ("sqrt(", "abs("),
+    ("max(", "min("),
+    ("(x", "(y"),
+    (" y", " x"),
+    ("-y", "-x"),
+    ("1.0", "2.0"),
+];
+
+/// The texts with one mistake in the function, in a line that has this part, and what it is.
+fn doctored(text: &str, part: &str) -> Vec<(String, String)> {
+    let start = text.find(") -> f64 {").unwrap();
+    let (head, body) = text.split_at(start);
+    let mut found = Vec::new();
+    for (right, wrong) in MISTAKES {
+        for (at, _) in body.match_indices(right) {
+            let line = body[..at].matches('\n').count();
+            // the words of a condition are no part of the function
+            let quoted = body[..at].matches('"').count() % 2 == 1;
+            if quoted || !body.lines().nth(line).is_some_and(|line| line.contains(part)) {
+                continue;
+            }
+            let mistaken = format!("{head}{}{wrong}{}", &body[..at], &body[at + right.len()..]);
+            found.push((format!("line {line}: `{right}` for `{wrong}`"), mistaken));
+        }
+    }
+    found
+}
+
+#[test]
+fn what_is_generated_is_proved_and_nothing_else() {
+    for (domain, formula, precision) in FORMULAS {
+        let (family, text) = made(domain, formula);
+        assert_eq!(text.contains("\"certified\""), precision == "certified", "{text}");
+        let kernel = parse_file(&text).unwrap().remove(0);
+        proof(&family, &kernel).unwrap_or_else(|cause| panic!("{formula}: {cause}\n{text}"));
+        let mut refused = 0;
+        for (what, doctored) in doctored(&text, "") {
+            let Ok(mut kernels) = parse_file(&doctored) else { continue };
+            assert!(proof(&family, &kernels.remove(0)).is_err(), "{formula}: {what} is proved in\n{text}");
+            refused += 1;
+        }
+        assert!(refused > 3, "{formula}: {refused} texts");
+    }
+}
+
+/// The step of Newton's method may be another one: the root stays where it is, and how near the result is to it is for the
+/// proof of the bound to say. The polynomials of iteration and remainder may not.
+#[test]
+fn a_root_is_proved_by_its_polynomials() {
+    let (family, text) = made("\"x > 0\", \"y > 0\"", "positive_root(z^3+x*z-y,z)");
+    assert!(proof(&family, &parse_file(&text).unwrap().remove(0)).is_ok());
+    for part in ["positive_root([", "residual!("] {
+        let mistakes = doctored(&text, part);
+        assert!(!mistakes.is_empty(), "{text}");
+        for (what, doctored) in mistakes {
+            let Ok(mut kernels) = parse_file(&doctored) else { continue };
+            assert!(proof(&family, &kernels.remove(0)).is_err(), "{what} is proved in\n{text}");
+        }
+    }
+}
+
+#[test]
+fn conditions_are_proved_besides_values() {
+    let (family, text) = made("\"x > 0\", \"y > x\"", "x*y");
+    let kernel = parse_file(&text).unwrap().remove(0);
+    for at in 0..kernel.requires.len() {
+        let mut without = kernel.clone();
+        without.requires.remove(at);
+        assert!(matches!(proof(&family, &without), Err(ProofError::Domain { .. })), "condition {at}");
+    }
+    let mut more = kernel.clone();
+    let extra = made("\"x > 5\", \"y > x\"", "x*y").1;
+    more.requires.push(parse_file(&extra).unwrap().remove(0).requires.remove(0));
+    assert!(matches!(proof(&family, &more), Err(ProofError::Domain { .. })));
+    let mut implied = kernel.clone();
+    let weaker = made("\"y > 0\", \"x > 0\"", "x*y").1;
+    implied.requires.push(parse_file(&weaker).unwrap().remove(0).requires.remove(0));
+    assert!(proof(&family, &implied).is_ok(), "what follows may be required besides");
+}
