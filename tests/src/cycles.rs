@@ -52,8 +52,10 @@ fn reachable<'m>(edges: &BTreeMap<&'m str, BTreeSet<&'m str>>, from: &str) -> BT
 
 /// The folders, ending in `/`, in which crates and programs have their roots.
 pub fn roots(files: &[Source]) -> BTreeSet<&str> {
-    let paths = files.iter().map(|file| file.path.as_str()).filter(|path| path.contains("src/"));
-    paths.filter_map(|path| path.strip_suffix("lib.rs").or_else(|| path.strip_suffix("main.rs"))).collect()
+    let split =
+        files.iter().filter_map(|file| file.path.rsplit_once('/').map(|(folder, name)| (file, folder.len(), name)));
+    let roots = split.filter(|(file, _, name)| file.path.contains("src/") && ["lib.rs", "main.rs"].contains(name));
+    roots.map(|(file, end, _)| &file.path[..=end]).collect()
 }
 
 fn modules(files: &[Source], folder: &str) -> Modules {
@@ -223,6 +225,13 @@ mod tests {
         let source = |(path, text): &(&str, &str)| Source { path: format!("a/src/{path}"), text: (*text).to_owned() };
         let files: Vec<Source> = files.iter().map(source).collect();
         cycles(&files, "a/src/").into_iter().map(|circle| circle.into_iter().collect()).collect()
+    }
+
+    #[test]
+    fn roots_are_the_folders_of_libraries_and_programs() {
+        let paths = ["a/src/lib.rs", "a/src/main.rs", "a/src/domain.rs", "a/src/bin/b/main.rs", "a/tests/main.rs"];
+        let files = paths.map(|path| Source { path: path.to_owned(), text: String::new() });
+        assert_eq!(Vec::from_iter(roots(&files)), ["a/src/", "a/src/bin/b/"]);
     }
 
     #[test]
