@@ -1,6 +1,6 @@
 //! Candidates: programs for the same results, which are made beside each other and compared by their errors.
 
-use crate::program::{Graph, Node, Op, reached};
+use crate::program::{Graph, Node, Op, rules_reached};
 use closedform_syntax::Precision;
 use std::collections::{BTreeSet, HashMap};
 
@@ -47,8 +47,7 @@ impl Candidate {
     /// The names of the rules that made its steps, and those that some conditions need.
     #[must_use]
     pub fn rules(&self, conditions: &[Node]) -> BTreeSet<&'static str> {
-        let nodes = reached(&self.graph, self.outputs.iter().chain(conditions).copied());
-        nodes.into_iter().flat_map(|node| self.graph.rules(node)).copied().collect()
+        rules_reached(&self.graph, self.outputs.iter().chain(conditions).copied())
     }
 }
 

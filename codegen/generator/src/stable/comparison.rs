@@ -7,20 +7,17 @@ use num_traits::Zero;
 
 /// The condition that a step has a sign relation to zero; constant factors of the step do not matter.
 pub fn compared_with_zero(graph: &mut Graph, node: Node, order: Order) -> Condition {
-    match *graph.op(node) {
-        Op::Neg(a) => return compared_with_zero(graph, a, order.mirrored()),
-        Op::Mul(a, b) if has_one_sign(graph, a) => {
-            let order = if graph.sign(a).is(Sign::NEGATIVE) { order.mirrored() } else { order };
-            return compared_with_zero(graph, b, order);
+    let (inner, mirrored) = match *graph.op(node) {
+        Op::Neg(a) => (a, true),
+        Op::Mul(a, b) if has_one_sign(graph, a) => (b, graph.sign(a).is(Sign::NEGATIVE)),
+        Op::Mul(a, b) if has_one_sign(graph, b) => (a, graph.sign(b).is(Sign::NEGATIVE)),
+        _ => {
+            let zero = graph.constant(&BigRational::zero());
+            return Condition::Compare(node, order, zero);
         }
-        Op::Mul(a, b) if has_one_sign(graph, b) => {
-            let order = if graph.sign(b).is(Sign::NEGATIVE) { order.mirrored() } else { order };
-            return compared_with_zero(graph, a, order);
-        }
-        _ => {}
-    }
-    let zero = graph.constant(&BigRational::zero());
-    Condition::Compare(node, order, zero)
+    };
+    graph.replace(node, inner);
+    compared_with_zero(graph, inner, if mirrored { order.mirrored() } else { order })
 }
 
 fn has_one_sign(graph: &Graph, node: Node) -> bool {

@@ -24,6 +24,7 @@ pub fn product(graph: &mut Graph, a: Node, b: Node) -> Option<Node> {
         }
     }
     graph.mark(node, RULE.name);
+    graph.replace(product, node);
     Some(node)
 }
 

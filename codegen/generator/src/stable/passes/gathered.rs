@@ -69,6 +69,7 @@ impl Walk<'_> {
                 let sign = self.graph.sign(node);
                 let (slice, value) = in_order(self.graph, wide, sign);
                 mark(self.graph, slice);
+                self.graph.replace(node, slice);
                 value
             }
             None => self.in_parts(node),

@@ -74,7 +74,8 @@ fn through_one_reciprocal(graph: &mut Graph, results: &[Node], products: Product
     let reciprocal = graph.div(one, whole);
     graph.mark(reciprocal, RULE.name);
     let through = |(&result, quotient): (&Node, &Option<Quotient>)| {
-        quotient.as_ref().and_then(|quotient| quotient.through(graph, &shared, reciprocal, products)).unwrap_or(result)
+        let value = quotient.as_ref().and_then(|quotient| quotient.through(graph, &shared, reciprocal, products));
+        value.inspect(|&value| graph.replace(result, value)).unwrap_or(result)
     };
     Some(results.iter().zip(&quotients).map(through).collect())
 }
