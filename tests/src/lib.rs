@@ -13,6 +13,7 @@ pub mod claim;
 pub mod complex;
 pub mod contract;
 pub mod coverage;
+pub mod cycles;
 pub mod domain;
 pub mod failure;
 pub mod golden;

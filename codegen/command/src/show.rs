@@ -6,7 +6,9 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::description::{Description, InputDescription, ResultDescription, with_unit};
-use closedform_measure::catalogue::Catalogue;
+use closedform_generator::stable::rule::Rule;
+use closedform_generator::stable::strategy;
+use closedform_measure::catalogue::{Catalogue, Entry};
 use closedform_system::output;
 
 /// Show one kernel: formula, inputs, domain, bound, rules and Rust text
@@ -24,7 +26,17 @@ pub struct Args {
 struct Page {
     #[serde(flatten)]
     description: Description,
+    /// What its rules say, as far as they are the generator's.
+    rules_in_words: Vec<RuleInWords>,
     rust: String,
+}
+
+/// A rule with what it does.
+#[derive(Debug, Serialize)]
+struct RuleInWords {
+    name: &'static str,
+    statement: &'static str,
+    condition: &'static str,
 }
 
 /// Shows a kernel.
@@ -35,7 +47,7 @@ struct Page {
 pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
     let catalogue = Catalogue::open(root)?;
     let entry = catalogue.find(&args.kernel)?;
-    let page = Page { description: Description::of(entry), rust: entry.rust.clone() };
+    let page = Page::of(entry);
     if args.json {
         output::print_json(&page)?
     } else {
@@ -45,6 +57,13 @@ pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
 }
 
 impl Page {
+    fn of(entry: &Entry) -> Self {
+        let description = Description::of(entry);
+        let rules = strategy::rules_named(description.rules.iter().map(String::as_str)).into_iter();
+        let in_words = |&Rule { name, statement, condition }: &Rule| RuleInWords { name, statement, condition };
+        Self { rules_in_words: rules.map(in_words).collect(), description, rust: entry.rust.clone() }
+    }
+
     fn text(&self) -> String {
         let Description {
             kernel, summary, inputs, domain, results, maxima, source, rules, precision, operations, ..
@@ -55,11 +74,19 @@ impl Page {
         let finite = "all inputs are finite".to_owned();
         section(&mut text, "Domain", [finite].into_iter().chain(domain.iter().cloned()));
         section(&mut text, "Results", results.iter().map(result_line));
-        section(&mut text, "Rules", rules.iter().cloned());
+        section(&mut text, "Rules", rules.iter().flat_map(|rule| self.rule_lines(rule)));
         section(&mut text, "Operations", [format!("{}, in {precision}", operations.in_words())]);
         section(&mut text, "Derived in", source.iter().cloned());
         let _ = writeln!(text, "\nRust\n\n{}", self.rust);
         text
+    }
+
+    /// A rule's name, and what it says if it is known.
+    fn rule_lines(&self, name: &str) -> Vec<String> {
+        match self.rules_in_words.iter().find(|rule| rule.name == name) {
+            Some(rule) => vec![format!("{name}: {}", rule.statement), format!("  when: {}", rule.condition)],
+            None => vec![name.to_owned()],
+        }
     }
 }
 
@@ -92,7 +119,7 @@ mod tests {
     fn page(kernel: &str) -> Page {
         let (_folder, catalogue) = fixture::catalogue();
         let entry = catalogue.find(kernel).unwrap();
-        Page { description: Description::of(entry), rust: entry.rust.clone() }
+        Page::of(entry)
     }
 
     #[test]
@@ -104,7 +131,7 @@ mod tests {
             "  a_max (aMax) [s], typically 0.001 to 1000.0\n  b [s^2]",
             "\nDomain\n  all inputs are finite\n  aMax >= 0\n",
             "\nResults\n  root (rootFn) [s], at most 3.5 ulp\n",
-            "\nRules\n  conjugate\n",
+            "\nRules\n  conjugate: a + b*sqrt(r) = (a^2 - b^2*r)/(a - b*sqrt(r))\n    when: a and b*sqrt(r) are of opposite signs",
             "\nDerived in\n  1.1 %o2\n",
             "\nRust\n\npub fn root(\n",
             "    b / (sqrt(a_max * a_max + b) + a_max)\n}\n",
@@ -119,5 +146,15 @@ mod tests {
         assert_eq!(json["kernel"], "plane::slope");
         assert_eq!(json["results"][1]["name"], "d");
         assert!(json["rust"].as_str().unwrap().starts_with("pub fn slope("));
+        let json = serde_json::to_value(page("line::root")).unwrap();
+        assert_eq!((&json["rules"][0], &json["rules_in_words"][0]["name"]), (&"conjugate".into(), &"conjugate".into()));
+        assert!(json["rules_in_words"][0]["condition"].as_str().unwrap().contains("opposite signs"));
+    }
+
+    #[test]
+    fn a_rule_of_somebody_else_has_its_name_only() {
+        let mut page = page("line::root");
+        page.description.rules = vec!["by hand".to_owned()];
+        assert!(page.text().contains("\nRules\n  by hand\n\n"));
     }
 }

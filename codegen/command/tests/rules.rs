@@ -2,7 +2,7 @@
 
 mod common;
 
-use closedform_generator::stable::rules::ALL;
+use closedform_generator::stable::strategy::ALL;
 use closedform_maxima::{BinaryOperator, Definition, Expr, ExprKind, UnaryOperator, definitions};
 use closedform_measure::accuracy::{REFERENCE_BITS, Reference, covers, measure, ulp_error};
 use closedform_measure::catalogue::{Catalogue, Entry};

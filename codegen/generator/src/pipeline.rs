@@ -251,7 +251,7 @@ fn made(family: &Family, kernel: &KernelText) -> Made {
     let cost = cost(&kernel.graph, &kernel.program.outputs);
     Made {
         kernel: format!("{}::{}", family.name, kernel.name),
-        rules: kernel.rules.iter().map(ToString::to_string).collect(),
+        rules: kernel.rules.iter().map(|rule| rule.name.to_owned()).collect(),
         operations: [cost.additions, cost.multiplications, cost.divisions, cost.roots, cost.wide],
         bound: kernel.results.iter().map(|result| result.bound).fold(0.0, f64::max),
         certified_because: kernel.certified_because.clone(),

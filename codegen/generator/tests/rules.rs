@@ -7,7 +7,7 @@ use closedform_generator::algebra::{Algebra, Sparse};
 use closedform_generator::kernel::make;
 use closedform_generator::pipeline::generate;
 use closedform_generator::rust::{KernelText, ModuleText, print_module};
-use closedform_generator::stable::rules::ALL;
+use closedform_generator::stable::strategy::ALL;
 use closedform_maxima::Definition;
 use closedform_project::family::Family;
 use closedform_project::sample::sample;

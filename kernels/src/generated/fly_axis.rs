@@ -3,6 +3,16 @@
 //!
 //! Derived in section 4.6.
 
+// The rules that comments name, and when they may be used:
+// - compensated: p(x, y, ..) is evaluated in double-double and rounded once
+//   when: p is a polynomial whose operands are exact: inputs, or values that define the problem
+// - differences-first: p(x1, x0, ..) = q(x1 - x0, ..)
+//   when: p(x1 + h, x0 + h, ..) = p(x1, x0, ..) for every h; the difference of two inputs is exact in double-double
+// - factored: a*b + a*c = a*(b + c), and a*b/(a*c) = b/c
+//   when: always; the factors are irreducible over the rationals, and common ones cancel
+// - gathered: steps that make a polynomial of the inputs are evaluated in double-double and rounded once
+//   when: a result of the kernel would be off by more than 4.5 ulp otherwise, or few roundings are asked for: it costs time
+
 use closedform::kernel;
 
 /// What [`turn_out`](fn@turn_out) returns.
@@ -116,7 +126,7 @@ pub fn turn_out(
     maxima = "rscn_d1In(tIn,v1Scan,v1Diff):=tIn*(3*v1Scan-v1Diff)/3",
     latex = "\\mathrm{rscn}_{d,1,\\mathrm{In}} = \\frac{t_{\\mathrm{In}}\\,\\left(3\\,v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)}{3}",
     source = "4.6 rscn_ax1_Tol_sol",
-    rules("factored", "gathered", "known-sum"),
+    rules("factored", "gathered"),
     bound = 2.01,
     certificate = "1-5f822c929042763f",
     result(worksheet = "rscn_d1In", unit = "m"),

@@ -3,6 +3,20 @@
 //!
 //! Derived in seed 004.
 
+// The rules that comments name, and when they may be used:
+// - conjugate: a + b*sqrt(r) = (a^2 - b^2*r)/(a - b*sqrt(r))
+//   when: a and b*sqrt(r) are of opposite signs, and not both 0, so that a - b*sqrt(r) does not cancel or vanish
+// - factored: a*b + a*c = a*(b + c), and a*b/(a*c) = b/c
+//   when: always; the factors are irreducible over the rationals, and common ones cancel
+// - gathered: steps that make a polynomial of the inputs are evaluated in double-double and rounded once
+//   when: a result of the kernel would be off by more than 4.5 ulp otherwise, or few roundings are asked for: it costs time
+// - merge-roots: sqrt(a)*sqrt(b) = sqrt(a*b), sqrt(a*b)/a = sqrt(b/a), sqrt(a^2*b)/a^2 = sqrt(b/a^2), and sqrt(r)/r = 1/sqrt(r)
+//   when: a and b are nonnegative; a is positive where it divides alone
+// - sign-branch: f = if a*b >= 0 { direct form } else { conjugate form }
+//   when: both forms are equal to f where they are used
+// - through-result: f(x, .., sqrt(r)) = g(x, .., u) with an earlier result u = (a + b*sqrt(r))/c
+//   when: f - g(.., u) is exactly zero, and no sum of g cancels on the domain
+
 use closedform::kernel;
 
 /// What [`direction`](fn@direction) returns.

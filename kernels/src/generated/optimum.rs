@@ -3,6 +3,18 @@
 //!
 //! Derived in second numbering, section 2.
 
+// The rules that comments name, and when they may be used:
+// - compensated: p(x, y, ..) is evaluated in double-double and rounded once
+//   when: p is a polynomial whose operands are exact: inputs, or values that define the problem
+// - factored: a*b + a*c = a*(b + c), and a*b/(a*c) = b/c
+//   when: always; the factors are irreducible over the rationals, and common ones cancel
+// - falling-newton: x := x - p(x)/p'(x) from above while x falls, then once with p(x) in double-double, or exact if coefficients cancel
+//   when: the coefficients of p change sign once on the domain, from negative to positive: one positive root (Descartes)
+// - gathered: steps that make a polynomial of the inputs are evaluated in double-double and rounded once
+//   when: a result of the kernel would be off by more than 4.5 ulp otherwise, or few roundings are asked for: it costs time
+// - known-sum: p(x, y, ..) = q(s, y, ..) with s = x + y, or s = x - y
+//   when: the domain gives the sign of s, all terms of q agree in sign, and s is one rounding of exact inputs
+
 use closedform::kernel;
 
 /// Time of the ramp in with which both axes turn around in the same time, with no time left at the edge.
@@ -166,7 +178,7 @@ pub fn t_o(
     maxima = "tIn_tE0(v1Scan,v1Diff,a1Max,delta):=positive_root(t^2*(8*(v1Scan-v1Diff)^2+12*v1Diff*(v1Scan-v1Diff)+4*v1Diff^2-3*a1Max^2*delta)+a1Max*t^3*(6*(v1Scan-v1Diff)+4*v1Diff)-12*delta*v1Diff^2-12*a1Max*delta*t*v1Diff+a1Max^2*t^4,t)",
     latex = "t_{\\mathrm{In},\\mathrm{tE},0} = \\operatorname{root}_{t>0}\\left(t^{2}\\,\\left(8\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)^{2}+12\\,v_{1,\\mathrm{Diff}}\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)+4\\,v_{1,\\mathrm{Diff}}^{2}-3\\,a_{1,\\mathrm{Max}}^{2}\\,\\delta\\right)+a_{1,\\mathrm{Max}}\\,t^{3}\\,\\left(6\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)+4\\,v_{1,\\mathrm{Diff}}\\right)-12\\,\\delta\\,v_{1,\\mathrm{Diff}}^{2}-12\\,a_{1,\\mathrm{Max}}\\,\\delta\\,t\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}^{2}\\,t^{4}\\right)",
     source = "second numbering 2, %o259; 4.6",
-    rules("compensated", "factored", "falling-newton", "known-sum"),
+    rules("compensated", "factored", "falling-newton"),
     bound = 0.51,
     certificate = "1-5598b1a5d8ce454f",
     result(worksheet = "tIn_tE0", unit = "s"),

@@ -3,6 +3,14 @@
 //!
 //! Derived in third numbering, section 3.
 
+// The rules that comments name, and when they may be used:
+// - compensated: p(x, y, ..) is evaluated in double-double and rounded once
+//   when: p is a polynomial whose operands are exact: inputs, or values that define the problem
+// - factored: a*b + a*c = a*(b + c), and a*b/(a*c) = b/c
+//   when: always; the factors are irreducible over the rationals, and common ones cancel
+// - gathered: steps that make a polynomial of the inputs are evaluated in double-double and rounded once
+//   when: a result of the kernel would be off by more than 4.5 ulp otherwise, or few roundings are asked for: it costs time
+
 use closedform::kernel;
 
 /// What [`asymmetric_return`](fn@asymmetric_return) returns.

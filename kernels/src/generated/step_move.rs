@@ -3,6 +3,22 @@
 //!
 //! Derived in sections 4 to 4.4.1.
 
+// The rules that comments name, and when they may be used:
+// - compensated: p(x, y, ..) is evaluated in double-double and rounded once
+//   when: p is a polynomial whose operands are exact: inputs, or values that define the problem
+// - conjugate: a + b*sqrt(r) = (a^2 - b^2*r)/(a - b*sqrt(r))
+//   when: a and b*sqrt(r) are of opposite signs, and not both 0, so that a - b*sqrt(r) does not cancel or vanish
+// - double-double: every step is taken in double-double, and only results are rounded
+//   when: a result would be off by more than 5 ulp otherwise, or 2 where few roundings are asked for; no root is iterated
+// - factored: a*b + a*c = a*(b + c), and a*b/(a*c) = b/c
+//   when: always; the factors are irreducible over the rationals, and common ones cancel
+// - gathered: steps that make a polynomial of the inputs are evaluated in double-double and rounded once
+//   when: a result of the kernel would be off by more than 4.5 ulp otherwise, or few roundings are asked for: it costs time
+// - merge-roots: sqrt(a)*sqrt(b) = sqrt(a*b), sqrt(a*b)/a = sqrt(b/a), sqrt(a^2*b)/a^2 = sqrt(b/a^2), and sqrt(r)/r = 1/sqrt(r)
+//   when: a and b are nonnegative; a is positive where it divides alone
+// - sign-branch: f = if a*b >= 0 { direct form } else { conjugate form }
+//   when: both forms are equal to f where they are used
+
 use closedform::kernel;
 
 /// What [`ramp_from_rest`](fn@ramp_from_rest) returns.

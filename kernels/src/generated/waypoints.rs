@@ -3,6 +3,22 @@
 //!
 //! Derived in seed 001, sections 0.1 and 0.2.
 
+// The rules that comments name, and when they may be used:
+// - compensated: p(x, y, ..) is evaluated in double-double and rounded once
+//   when: p is a polynomial whose operands are exact: inputs, or values that define the problem
+// - differences-first: p(x1, x0, ..) = q(x1 - x0, ..)
+//   when: p(x1 + h, x0 + h, ..) = p(x1, x0, ..) for every h; the difference of two inputs is exact in double-double
+// - double-double: every step is taken in double-double, and only results are rounded
+//   when: a result would be off by more than 5 ulp otherwise, or 2 where few roundings are asked for; no root is iterated
+// - factored: a*b + a*c = a*(b + c), and a*b/(a*c) = b/c
+//   when: always; the factors are irreducible over the rationals, and common ones cancel
+// - gathered: steps that make a polynomial of the inputs are evaluated in double-double and rounded once
+//   when: a result of the kernel would be off by more than 4.5 ulp otherwise, or few roundings are asked for: it costs time
+// - one-reciprocal: a/p, b/q = (a*(d/p))*r, (b*(d*f/q))*r*s with r = 1/d, d of half the powers in p and q, s = 1/f = (d/f)*r
+//   when: the contract asks for one division; a, b, p, q are polynomials of the inputs, and f is what q has more of
+// - through-result: f(x, .., sqrt(r)) = g(x, .., u) with an earlier result u = (a + b*sqrt(r))/c
+//   when: f - g(.., u) is exactly zero, and no sum of g cancels on the domain
+
 use closedform::kernel;
 
 /// What [`segment_2d`](fn@segment_2d) returns.

@@ -3,6 +3,7 @@
 use crate::field::TowerError;
 use crate::program::Wide;
 use crate::stable::builder::Builder;
+use crate::stable::forms::wide;
 use closedform_project::expression::Expr;
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -13,7 +14,7 @@ use num_rational::BigRational;
 /// When a name is no input.
 pub fn wide_as_written(builder: &mut Builder, expr: &Expr) -> Result<Option<Wide>, TowerError> {
     Ok(match expr {
-        Expr::Rational(value) if value.is_integer() => Some(builder.wide_constant(value)),
+        Expr::Rational(value) if value.is_integer() => Some(wide::constant(&mut builder.graph, value)),
         Expr::Symbol(name) => {
             let var = builder.tower.variable(name)?;
             Some(Wide::Leaf(builder.variable(var)?))

@@ -1,15 +1,17 @@
 //! Domains: a contract's conditions as steps that decide them, and as facts about signs.
 
-use super::KernelError;
 use super::as_written::wide_as_written;
+use super::error::KernelError;
 use super::formula::Formula;
 use super::known::{Effort, Known};
+use super::relation::{order_of, sign_of};
 use crate::algebra::Polynomial;
 use crate::field::{Sign, TowerError};
 use crate::program::{Condition, Node, Order};
 use crate::rust::RequireText;
 use crate::stable::builder::Builder;
-use closedform_project::domain::{Comparison, ComparisonOperator, Condition as Contracted, Domain, Stated};
+use crate::stable::compared_with_zero;
+use closedform_project::domain::{Comparison, Condition as Contracted, Domain, Stated};
 use closedform_project::expression::lower;
 use num_rational::BigRational;
 use num_traits::Signed;
@@ -121,7 +123,7 @@ fn as_written(builder: &mut Builder, comparison: &Comparison, text: &str) -> Res
         .map_err(|cause| KernelError::Domain { condition: text.to_owned(), cause })?;
     let Some(slice) = slice else { return Ok(None) };
     let node = builder.graph.compensated(slice, Sign::ANY);
-    Ok(Some(builder.compare_with_zero(node, order)))
+    Ok(Some(compared_with_zero(&mut builder.graph, node, order)))
 }
 
 /// A comparison as a polynomial compared with zero, without the factors whose sign is known.
@@ -161,7 +163,7 @@ fn decide(builder: &mut Builder, polynomial: &Polynomial, order: Order) -> Resul
         return Ok(Condition::Compare(left, order, right));
     }
     let node = builder.polynomial(polynomial)?;
-    Ok(builder.compare_with_zero(node, order))
+    Ok(compared_with_zero(&mut builder.graph, node, order))
 }
 
 /// The two sides of a comparison between inputs, or of an input with a constant, where no step rounds.
@@ -184,28 +186,4 @@ fn two_exact_sides(builder: &mut Builder, polynomial: &Polynomial) -> Result<Opt
     let (left, right) = (builder.polynomial(&left)?, builder.polynomial(&right)?);
     let exact = builder.graph.error(left) == 0.0 && builder.graph.error(right) == 0.0;
     Ok(exact.then_some((left, right)))
-}
-
-/// How a contract's comparison compares the difference of its sides with zero.
-pub fn order_of(operator: ComparisonOperator) -> Order {
-    match operator {
-        ComparisonOperator::Less => Order::Less,
-        ComparisonOperator::LessEqual => Order::LessOrEqual,
-        ComparisonOperator::Greater => Order::Greater,
-        ComparisonOperator::GreaterEqual => Order::GreaterOrEqual,
-        ComparisonOperator::Equal => Order::Equal,
-        ComparisonOperator::NotEqual => Order::NotEqual,
-    }
-}
-
-/// The signs of which an order relation speaks.
-pub fn sign_of(order: Order) -> Sign {
-    match order {
-        Order::Less => Sign::NEGATIVE,
-        Order::LessOrEqual => Sign::NONPOSITIVE,
-        Order::Greater => Sign::POSITIVE,
-        Order::GreaterOrEqual => Sign::NONNEGATIVE,
-        Order::Equal => Sign::ZERO,
-        Order::NotEqual => Sign::NONZERO,
-    }
 }

@@ -3,10 +3,10 @@
 //! Each `require!` is read back and must hold where the condition of the same text does, given those before it; a
 //! condition that is not required must hold wherever the others do, and so must one that is required besides.
 
+use super::error::KernelError;
 use super::formula::Formula;
 use super::known::{Effort, Known};
 use super::read_back::Reader;
-use super::{KernelError, ProofError};
 use crate::algebra::Algebra;
 use crate::field::{Sign, Tower};
 use closedform_project::contract::KernelContract;
@@ -35,10 +35,9 @@ pub enum Gap {
 ///
 /// # Errors
 /// When that is not shown.
-pub fn prove(algebra: Algebra, source: &SourceKernel, contract: &KernelContract) -> Result<(), ProofError> {
+pub fn prove(algebra: Algebra, source: &SourceKernel, contract: &KernelContract) -> Result<(), Gap> {
     let proof = Proof { tower: Tower::new(algebra, &contract.inputs), reader: Reader::new(source, &contract.inputs) };
-    let failed = |cause| ProofError::Domain { kernel: contract.name.clone(), cause };
-    proof.prove(source, contract).map_err(failed)
+    proof.prove(source, contract)
 }
 
 struct Proof<'k> {

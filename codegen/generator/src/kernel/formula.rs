@@ -1,7 +1,7 @@
 //! Formulas about signs of polynomials: what conditions say where their sides have values.
 
-use super::KernelError;
-use super::domain::{order_of, sign_of};
+use super::error::KernelError;
+use super::relation::{order_of, sign_of};
 use crate::algebra::Polynomial;
 use crate::field::{Sign, Tower};
 use closedform_project::domain::{Comparison, Condition};

@@ -3,90 +3,34 @@
 mod as_written;
 mod domain;
 mod domain_proof;
+mod error;
 mod formula;
 mod known;
+mod limit;
 mod proof;
 mod read_back;
+mod relation;
 mod written;
 
+pub use error::KernelError;
 pub use proof::{ProofError, prove};
 pub use written::WrittenError;
 
-use crate::algebra::{Algebra, TooMuchWork, limited};
-use crate::field::{Tower, TowerError};
+use crate::algebra::Algebra;
+use crate::field::Tower;
 use crate::program::{Graph, Node, name_steps};
-use crate::rust::{InputDoc, KernelText, RequireText, ResultText};
+use crate::rust::{InputDoc, KernelText, RequireText, ResultText, RuleText};
 use crate::stable::builder::Builder;
-use crate::stable::rules::falling_newton::{self, RootError};
-use crate::stable::rules::one_reciprocal::Products;
-use crate::stable::rules::{certified, double_double, gathered, one_reciprocal};
-use crate::stable::stabilise;
+use crate::stable::candidate::Candidate;
+use crate::stable::rule::Rule;
+use crate::stable::solvers::Equation;
+use crate::stable::strategy::{self, Wanted};
 use closedform_maxima::{Definition, to_latex};
 use closedform_project::contract::{Contract, KernelContract, ResultContract};
-use closedform_project::expression::{Expr, LowerError, lower};
+use closedform_project::expression::{Expr, lower};
 use closedform_syntax::Precision;
-use thiserror::Error;
+use limit::within_limit;
 use written::Written;
-
-/// Why no kernel can be made.
-#[derive(Debug, Error)]
-pub enum KernelError {
-    /// A reference expression uses what the generator does not know.
-    #[error("{0}")]
-    Lower(#[source] LowerError),
-    /// An expression has no canonical form.
-    #[error("`{function}` {cause}")]
-    Tower {
-        /// The function of the worksheet.
-        function: String,
-        /// Why.
-        cause: TowerError,
-    },
-    /// A domain condition has no canonical form.
-    #[error("the domain condition `{condition}` {cause}")]
-    Domain {
-        /// The condition.
-        condition: String,
-        /// Why.
-        cause: TowerError,
-    },
-    /// A polynomial root that is not shown to be unique.
-    #[error("`{function}`: {cause}")]
-    Root {
-        /// The function of the worksheet.
-        function: String,
-        /// Why.
-        cause: RootError,
-    },
-    /// A formula whose algebra has no end in sight.
-    #[error("`{0}`: its exact algebra takes more work than the limit of a formula allows")]
-    TooMuchWork(String),
-    /// A formula that cannot be taken step by step.
-    #[error("`{function}`: {cause}")]
-    Written {
-        /// The kernel.
-        function: String,
-        /// Why.
-        cause: WrittenError,
-    },
-    /// A program whose error has no bound.
-    #[error(
-        "no bound for the error of `{0}` could be derived: a sum of rounded values may cancel; add the signs of its terms to the domain"
-    )]
-    Unbounded(String),
-}
-
-impl KernelError {
-    /// Whether the formula can still be taken as it is written, in certified arithmetic. Without the signs of its
-    /// coefficients a polynomial may have no positive root, or several: that only a contract can say.
-    #[must_use]
-    pub fn leaves_the_formula_as_written(&self) -> bool {
-        !matches!(self, Self::Lower(_) | Self::Written { .. } | Self::Root { cause: RootError::Signs(_), .. })
-    }
-}
-
-/// What one formula may take, in the units of [`limited`]: some 25 times what the hardest of the shipped ones takes.
-const WORK: u64 = 50_000_000;
 
 /// Makes a kernel in a stable form.
 ///
@@ -98,8 +42,7 @@ pub fn make(
     kernel: &KernelContract,
     references: &[Definition],
 ) -> Result<KernelText, KernelError> {
-    limited(WORK, || stable(algebra, contract, kernel, references))
-        .unwrap_or_else(|TooMuchWork| Err(KernelError::TooMuchWork(kernel.name.clone())))
+    within_limit(kernel, || stable(algebra, contract, kernel, references))
 }
 
 /// Makes a kernel of the formula as it is written, which certifies every call, `because` no stable form is there.
@@ -116,11 +59,12 @@ pub fn make_as_written(
     let steps = written.reference(kernel, references);
     let (conditions, outputs) = steps.map_err(|cause| KernelError::Written { function: kernel.name.clone(), cause })?;
     let mut graph = written.graph;
-    outputs.iter().for_each(|&output| graph.mark(output, certified::RULE.name));
+    outputs.iter().for_each(|&output| graph.mark(output, strategy::AS_WRITTEN.name));
     let requires = conditions.into_iter().zip(kernel.domain.texts());
     let requires = requires.map(|(condition, text)| RequireText::new(condition, text)).collect();
     let results = kernel.results.iter().map(|result| result_text(result, CERTIFIED)).collect();
-    let made = Made { requires, outputs, results, rules: vec![certified::RULE.name], precision: Precision::Certified };
+    let rules = vec![rule_text(strategy::AS_WRITTEN)];
+    let made = Made { requires, outputs, results, rules, precision: Precision::Certified };
     Ok(KernelText { certified_because: Some(because), ..text(contract, kernel, references, graph, made) })
 }
 
@@ -130,7 +74,7 @@ fn stable(
     kernel: &KernelContract,
     references: &[Definition],
 ) -> Result<KernelText, KernelError> {
-    let mut builder = Builder::new(Tower::new(algebra, &kernel.inputs));
+    let mut builder = strategy::builder(Tower::new(algebra, &kernel.inputs));
     let requires = domain::build(&mut builder, &kernel.domain)?;
     let expressions: Vec<Expr> = references
         .iter()
@@ -138,11 +82,23 @@ fn stable(
         .collect::<Result<_, _>>()
         .map_err(KernelError::Lower)?;
     let outputs = outputs(&mut builder, &expressions, references)?;
-    let (outputs, precision) = with_few_roundings(&mut builder, &outputs, kernel);
-    let results = results(&builder, kernel, &outputs, precision)?;
-    let rules = builder.used_rules().iter().copied().collect();
+    let wanted = Wanted { few_roundings: kernel.few_roundings, one_division: kernel.one_division };
+    let candidate = strategy::finished(builder.graph, outputs, wanted);
+    let results = results(kernel, &candidate)?;
+    let rules = rules(&candidate, &requires);
+    let Candidate { graph, outputs, precision } = candidate;
     let made = Made { requires, outputs, results, rules, precision };
-    Ok(text(contract, kernel, references, builder.graph, made))
+    Ok(text(contract, kernel, references, graph, made))
+}
+
+/// The rules that made what a kernel computes and decides.
+fn rules(candidate: &Candidate, requires: &[RequireText]) -> Vec<RuleText> {
+    let conditions: Vec<Node> = requires.iter().flat_map(|require| require.condition.nodes()).collect();
+    strategy::rules_named(candidate.rules(&conditions)).into_iter().map(rule_text).collect()
+}
+
+fn rule_text(rule: &Rule) -> RuleText {
+    RuleText { name: rule.name, statement: rule.statement, condition: rule.condition }
 }
 
 /// What is made of a kernel's formulas, besides the graph of its steps.
@@ -150,7 +106,7 @@ struct Made {
     requires: Vec<RequireText>,
     outputs: Vec<Node>,
     results: Vec<ResultText>,
-    rules: Vec<&'static str>,
+    rules: Vec<RuleText>,
     precision: Precision,
 }
 
@@ -216,7 +172,7 @@ fn outputs(builder: &mut Builder, expressions: &[Expr], references: &[Definition
         }
     }
     let function = references.first().map(|reference| reference.name.clone()).unwrap_or_default();
-    let nodes = stabilise(builder, &elements).map_err(|cause| KernelError::Tower { function, cause })?;
+    let nodes = strategy::results(builder, &elements).map_err(|cause| KernelError::Tower { function, cause })?;
     let mut nodes = nodes.into_iter();
     let mut joined = |expression: &Expr| match expression {
         Expr::Extreme { largest, items } => {
@@ -225,30 +181,6 @@ fn outputs(builder: &mut Builder, expressions: &[Expr], references: &[Definition
         _ => nodes.next(),
     };
     Ok(expressions.iter().filter_map(&mut joined).collect())
-}
-
-/// The outputs with roundings as few as they should be: by slices where plain steps have too many, or in double-double.
-fn with_few_roundings(builder: &mut Builder, outputs: &[Node], kernel: &KernelContract) -> (Vec<Node>, Precision) {
-    let unused = builder.used_rules().clone();
-    let gathered = gathered::apply(builder, outputs, kernel.few_roundings);
-    let gathered = with_one_division(builder, gathered, kernel, Products::Slices);
-    let used = builder.used_rules().clone();
-    builder.reset_rules(unused);
-    let plain = with_one_division(builder, outputs.to_vec(), kernel, Products::Steps);
-    if double_double::apply(builder, &plain, &gathered, kernel.few_roundings) {
-        return (plain, Precision::DoubleDouble);
-    }
-    builder.reset_rules(used);
-    (gathered, Precision::Double)
-}
-
-fn with_one_division(
-    builder: &mut Builder,
-    outputs: Vec<Node>,
-    kernel: &KernelContract,
-    products: Products,
-) -> Vec<Node> {
-    if kernel.one_division { one_reciprocal::apply(builder, &outputs, products) } else { outputs }
 }
 
 /// The closed forms that a result chooses from, mostly one.
@@ -262,30 +194,17 @@ fn items(expression: &Expr) -> &[Expr] {
 fn positive_root(builder: &mut Builder, polynomial: &Expr, unknown: &str, function: &str) -> Result<Node, KernelError> {
     let tower_error = |cause| KernelError::Tower { function: function.to_owned(), cause };
     let (polynomial, unknown) = builder.tower.polynomial_in(polynomial, unknown).map_err(tower_error)?;
-    falling_newton::apply(builder, &polynomial, unknown)
+    strategy::SOLVER(builder, &Equation { polynomial, unknown })
         .map_err(|cause| KernelError::Root { function: function.to_owned(), cause })
 }
 
-fn results(
-    builder: &Builder,
-    kernel: &KernelContract,
-    outputs: &[Node],
-    precision: Precision,
-) -> Result<Vec<ResultText>, KernelError> {
-    let error = |node| match precision {
-        Precision::Double => builder.graph.error(node),
-        Precision::DoubleDouble | Precision::Certified => double_double::error(&builder.graph, node),
+fn results(kernel: &KernelContract, candidate: &Candidate) -> Result<Vec<ResultText>, KernelError> {
+    let of = |(result, &node): (&ResultContract, &Node)| {
+        let bound = bound_in_ulp(candidate.error(node));
+        let bound = bound.ok_or_else(|| KernelError::Unbounded(result.worksheet.clone()))?;
+        Ok(result_text(result, bound))
     };
-    kernel
-        .results
-        .iter()
-        .zip(outputs)
-        .map(|(result, &node)| {
-            let bound = bound_in_ulp(error(node));
-            let bound = bound.ok_or_else(|| KernelError::Unbounded(result.worksheet.clone()))?;
-            Ok(result_text(result, bound))
-        })
-        .collect()
+    kernel.results.iter().zip(&candidate.outputs).map(of).collect()
 }
 
 fn result_text(result: &ResultContract, bound: f64) -> ResultText {

@@ -4,11 +4,13 @@
 //! result must equal its reference, whichever way the conditions choose; an `if` whose sides are the same function is no
 //! fork. Square roots are algebraic elements, literals the exact numbers that they are.
 
+use super::error::KernelError;
+use super::limit::within_limit;
 use super::read_back::{ITERATE, Reader, TooManyWays, Way};
-use super::{KernelError, WORK, domain, domain_proof, written};
-use crate::algebra::{Algebra, TooMuchWork, limited};
+use super::{domain, domain_proof, written};
+use crate::algebra::Algebra;
 use crate::field::{Tower, TowerError};
-use crate::stable::builder::Builder;
+use crate::stable::strategy;
 use closedform_maxima::Definition;
 use closedform_project::contract::KernelContract;
 use closedform_project::expression::{Expr, lower};
@@ -85,8 +87,7 @@ pub fn prove(
     if source.meta.precision == Precision::Certified {
         return prove_as_written(source, contract, references);
     }
-    limited(WORK, || prove_equal(algebra, source, contract, references))
-        .unwrap_or_else(|TooMuchWork| Err(KernelError::TooMuchWork(contract.name.clone()).into()))
+    within_limit(contract, || prove_equal(algebra, source, contract, references))
 }
 
 /// Step by step: of a kernel whose precision needs no stable form.
@@ -109,7 +110,8 @@ fn prove_equal(
     contract: &KernelContract,
     references: &[Definition],
 ) -> Result<(), ProofError> {
-    domain_proof::prove(algebra, source, contract)?;
+    domain_proof::prove(algebra, source, contract)
+        .map_err(|cause| ProofError::Domain { kernel: contract.name.clone(), cause })?;
     let mut reader = Reader::new(source, &contract.inputs);
     reader.settle(WAYS, |one, other| same_value(algebra, contract, one, other).unwrap_or(false));
     for (output, reference) in source.output.values().zip(references) {
@@ -159,7 +161,7 @@ fn same_names<F: Into<String>, E: Into<String>>(
 
 /// The tower over the inputs, with what the domain says of signs.
 fn tower(algebra: Algebra, contract: &KernelContract) -> Result<Tower, KernelError> {
-    let mut builder = Builder::new(Tower::new(algebra, &contract.inputs));
+    let mut builder = strategy::builder(Tower::new(algebra, &contract.inputs));
     domain::learn_all(&mut builder, &contract.domain)?;
     Ok(builder.tower)
 }

@@ -3,7 +3,7 @@
 //! For such a kernel no stable form was found or proved: it keeps its bound at run time. Its proof is simple. Text and
 //! reference make one graph of steps, in which equal steps are one node and every change of form is an identity.
 
-use super::domain::order_of;
+use super::relation::order_of;
 use crate::field::Sign;
 use crate::program::{Condition, Graph, Node, Order};
 use closedform_maxima::Definition;

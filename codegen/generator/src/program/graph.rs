@@ -112,10 +112,12 @@ struct Step {
     sign: Sign,
     error: f64,
     rules: Vec<&'static str>,
+    fused: bool,
+    origins: Vec<Node>,
 }
 
 /// The steps of a kernel.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Graph {
     steps: Vec<Step>,
     index: HashMap<Op, Node>,
@@ -164,6 +166,28 @@ impl Graph {
         }
     }
 
+    /// Records that a node stands for several steps, fused into one rounding.
+    pub fn fuse(&mut self, node: Node) {
+        self.steps[node.0].fused = true;
+    }
+
+    /// Whether a node stands for several steps, fused into one rounding.
+    #[must_use]
+    pub fn is_fused(&self, node: Node) -> bool {
+        self.steps[node.0].fused
+    }
+
+    /// Records that a node takes the place of another one, whose rules have made it too.
+    pub fn replace(&mut self, origin: Node, node: Node) {
+        self.steps[node.0].origins.push(origin);
+    }
+
+    /// The nodes whose place a node takes.
+    #[must_use]
+    pub fn origins(&self, node: Node) -> &[Node] {
+        &self.steps[node.0].origins
+    }
+
     fn push(&mut self, op: Op, sign: Sign, error: f64) -> Node {
         let known = self.index.get(&op).or_else(|| self.index.get(&swapped(&op)?));
         if let Some(&node) = known {
@@ -174,7 +198,7 @@ impl Graph {
         }
         let node = Node(self.steps.len());
         self.index.insert(op.clone(), node);
-        self.steps.push(Step { op, sign, error, rules: Vec::new() });
+        self.steps.push(Step { op, sign, error, rules: Vec::new(), fused: false, origins: Vec::new() });
         node
     }
 

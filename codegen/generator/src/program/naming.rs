@@ -85,7 +85,7 @@ fn stem(graph: &Graph, node: Node) -> &'static str {
         Op::Sqrt(_) => "root",
         Op::Abs(_) => "magnitude",
         Op::If(..) => "chosen",
-        Op::Compensated(_) if graph.rules(node).contains(&"gathered") => "polynomial",
+        Op::Compensated(_) if graph.is_fused(node) => "polynomial",
         Op::Compensated(_) => "cancelling",
         Op::Residual(_) => "remainder",
         Op::Max(_) => "largest",

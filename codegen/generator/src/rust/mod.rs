@@ -4,4 +4,4 @@ mod expression;
 mod module;
 
 pub use expression::Printer;
-pub use module::{InputDoc, KernelText, ModuleText, RequireText, ResultText, print_module};
+pub use module::{InputDoc, KernelText, ModuleText, RequireText, ResultText, RuleText, print_module};

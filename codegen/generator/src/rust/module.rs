@@ -4,6 +4,7 @@ use super::expression::Printer;
 use crate::program::{Condition, Graph, Node, Program};
 use closedform_project::markdown::{code, one_line, plain};
 use closedform_syntax::Precision;
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// Everything that a family's file says.
@@ -45,7 +46,7 @@ pub struct KernelText {
     /// The results, in order.
     pub results: Vec<ResultText>,
     /// The rules that made the program.
-    pub rules: Vec<&'static str>,
+    pub rules: Vec<RuleText>,
     /// What it computes in.
     pub precision: Precision,
     /// Why the formula stands as it is written, in certified arithmetic, if it does.
@@ -68,6 +69,17 @@ pub struct InputDoc {
     pub doc: String,
     /// The magnitudes to expect.
     pub typical: [f64; 2],
+}
+
+/// A rule as documented.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct RuleText {
+    /// The name.
+    pub name: &'static str,
+    /// What it does.
+    pub statement: &'static str,
+    /// When it may be used.
+    pub condition: &'static str,
 }
 
 /// A condition with its text.
@@ -104,11 +116,24 @@ pub fn print_module(module: &ModuleText) -> String {
     if !module.source.trim().is_empty() {
         let _ = writeln!(text, "//!\n//! Derived in {}", sentence(module.source));
     }
+    print_legend(&mut text, module.kernels);
     text.push_str("\nuse closedform::kernel;\n");
     for kernel in module.kernels {
         print_kernel(&mut text, module.family, kernel);
     }
     text
+}
+
+/// The rules of all kernels, since comments say their names only.
+fn print_legend(text: &mut String, kernels: &[KernelText]) {
+    let rules: BTreeSet<RuleText> = kernels.iter().flat_map(|kernel| kernel.rules.iter().copied()).collect();
+    if rules.is_empty() {
+        return;
+    }
+    text.push_str("\n// The rules that comments name, and when they may be used:\n");
+    for rule in rules {
+        let _ = writeln!(text, "// - {}: {}\n//   when: {}", rule.name, rule.statement, rule.condition);
+    }
 }
 
 fn print_kernel(text: &mut String, family: &str, kernel: &KernelText) {
@@ -218,7 +243,7 @@ fn print_attribute(text: &mut String, family: &str, kernel: &KernelText) {
     let _ = writeln!(text, "    maxima = {:?},", kernel.maxima.join("\n"));
     let _ = writeln!(text, "    latex = {:?},", kernel.latex);
     let _ = writeln!(text, "    source = {:?},", kernel.source);
-    let rules: Vec<String> = kernel.rules.iter().map(|rule| format!("{rule:?}")).collect();
+    let rules: Vec<String> = kernel.rules.iter().map(|rule| format!("{:?}", rule.name)).collect();
     let _ = writeln!(text, "    rules({}),", rules.join(", "));
     if kernel.precision != Precision::Double {
         let _ = writeln!(text, "    precision = {:?},", kernel.precision.name());

@@ -1,9 +1,9 @@
 //! Rule `distributed`: a factor goes into a sum whose terms take it without a rounding of their own.
 
-use super::{Rule, gathered};
+use super::gathered;
+use super::slices::{fits, in_order};
 use crate::program::{Graph, Node, Op, Wide};
-use crate::stable::builder::Builder;
-use crate::stable::slices::{fits, in_order};
+use crate::stable::rule::Rule;
 
 /// The rule.
 pub const RULE: Rule = Rule {
@@ -13,17 +13,18 @@ pub const RULE: Rule = Rule {
 };
 
 /// The product of two steps with one of them in the sum that the other one is, if that has fewer roundings.
-pub fn apply(builder: &mut Builder, a: Node, b: Node) -> Option<Node> {
-    let product = builder.graph.mul(a, b);
-    let found = [(a, b), (b, a)].into_iter().find_map(|(factor, sum)| inside(&mut builder.graph, factor, sum));
-    let found = found.filter(|found| found.error < builder.graph.error(product))?;
-    let node = builder.graph.with_error(found.node, builder.graph.sign(product), found.error);
+pub fn product(graph: &mut Graph, a: Node, b: Node) -> Option<Node> {
+    let product = graph.mul(a, b);
+    let found = [(a, b), (b, a)].into_iter().find_map(|(factor, sum)| inside(graph, factor, sum));
+    let found = found.filter(|found| found.error < graph.error(product))?;
+    let node = graph.with_error(found.node, graph.sign(product), found.error);
     for slice in found.slices {
-        if matches!(builder.graph.op(slice), Op::Compensated(_)) {
-            builder.apply(&gathered::RULE, slice);
+        if matches!(graph.op(slice), Op::Compensated(_)) {
+            gathered::mark(graph, slice);
         }
     }
-    builder.apply(&RULE, node);
+    graph.mark(node, RULE.name);
+    graph.replace(product, node);
     Some(node)
 }
 

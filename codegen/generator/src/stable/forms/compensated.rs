@@ -1,10 +1,11 @@
 //! Rule `compensated`: what may cancel and cannot be rewritten is evaluated in double-double.
 
-use super::{Rule, differences_first};
+use super::{differences_first, wide};
 use crate::algebra::Polynomial;
 use crate::field::{Sign, TowerError};
 use crate::program::Node;
 use crate::stable::builder::Builder;
+use crate::stable::rule::Rule;
 
 /// The rule.
 pub const RULE: Rule = Rule {
@@ -17,16 +18,16 @@ pub const RULE: Rule = Rule {
 ///
 /// # Errors
 /// When the tower has no room left.
-pub fn apply(builder: &mut Builder, polynomial: &Polynomial) -> Result<Node, TowerError> {
+pub fn steps(builder: &mut Builder, polynomial: &Polynomial) -> Result<Node, TowerError> {
     let sign = builder.tower.facts.sign(polynomial);
     let turned = sign.is(Sign::NONPOSITIVE);
     let (polynomial, sign) = if turned { (&polynomial.negated(), -sign) } else { (polynomial, sign) };
     let grouped = differences_first::group(builder, polynomial)?;
-    let (content, wide) = builder.wide(&grouped)?;
+    let (content, wide) = wide::polynomial(builder, &grouped)?;
     let slice = builder.graph.compensated(wide, sign);
-    builder.apply(&RULE, slice);
+    builder.mark(&RULE, slice);
     if grouped != *polynomial {
-        builder.apply(&differences_first::RULE, slice);
+        builder.mark(&differences_first::RULE, slice);
     }
     let content = builder.graph.constant(&if turned { -content } else { content });
     Ok(builder.graph.mul(content, slice))

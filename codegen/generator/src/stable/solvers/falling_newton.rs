@@ -1,45 +1,33 @@
 //! Rule `falling-newton`: the one positive root of a polynomial by Newton from above, corrected by its exact residual.
 
-use super::Rule;
+use super::{Equation, RootError};
 use crate::algebra::{Polynomial, Var};
 use crate::field::{Sign, TowerError};
 use crate::program::Node;
-use crate::stable::builder::{Builder, Quotient};
-use thiserror::Error;
+use crate::stable::builder::Builder;
+use crate::stable::forms::wide;
+use crate::stable::rule::Rule;
 
 /// The rule.
 pub const RULE: Rule = Rule {
     name: "falling-newton",
-    statement: "x := x - p(x)/p'(x), from an upper bound until it no longer falls, then once with p(x) in double-double, or to all digits where terms of one coefficient may cancel",
+    statement: "x := x - p(x)/p'(x) from above while x falls, then once with p(x) in double-double, or exact if coefficients cancel",
     condition: "the coefficients of p change sign once on the domain, from negative to positive: one positive root (Descartes)",
 };
 
-/// Why the rule cannot be used.
-#[derive(Debug, Error, PartialEq)]
-pub enum RootError {
-    /// The signs of the coefficients do not show one root.
-    #[error(
-        "the coefficients of the polynomial must change sign exactly once, from negative (low powers) to positive (high \
-         powers), and the domain does not show it; their signs, lowest power first, are: {0}"
-    )]
-    Signs(String),
-    /// The tower has no room left.
-    #[error(transparent)]
-    Tower(#[from] TowerError),
-}
-
-/// The root of a polynomial in one of its variables.
+/// The root of an equation.
 ///
 /// # Errors
 /// When the domain does not show that there is exactly one positive root.
-pub fn apply(builder: &mut Builder, polynomial: &Polynomial, unknown: Var) -> Result<Node, RootError> {
-    let polynomial = oriented(builder, polynomial, unknown);
+pub fn steps(builder: &mut Builder, equation: &Equation) -> Result<Node, RootError> {
+    let unknown = equation.unknown;
+    let polynomial = oriented(builder, &equation.polynomial, unknown);
     let coefficients = polynomial.coefficients(unknown);
     let turn = turning_power(builder, &coefficients)?;
-    let nodes = coefficients.iter().map(|c| builder.surd(c, Quotient::one()));
+    let nodes = coefficients.iter().map(|c| builder.value(c));
     let nodes: Vec<Node> = nodes.collect::<Result<_, _>>()?;
     let start = builder.graph.positive_root(nodes, f64::INFINITY);
-    builder.apply(&RULE, start);
+    builder.mark(&RULE, start);
     builder.stand_for(unknown, start);
     builder.tower.facts.set_variable(unknown, Sign::POSITIVE);
     // the iterate counts as exact here: its residual is what is being computed
@@ -48,7 +36,7 @@ pub fn apply(builder: &mut Builder, polynomial: &Polynomial, unknown: Var) -> Re
     let ratio = builder.graph.div(residual, slope);
     let step = builder.graph.mul(start, ratio);
     let root = builder.graph.sub(start, step);
-    builder.apply(&RULE, root);
+    builder.mark(&RULE, root);
     Ok(builder.graph.with_error(root, Sign::POSITIVE, CORRECTED))
 }
 
@@ -59,7 +47,7 @@ const CORRECTED: f64 = 1.0 + 0.01;
 /// The polynomial at the iterate. Powers of the iterate cancel by no more than double-double holds, since the root is well
 /// conditioned; the terms of one coefficient may cancel by more.
 fn remainder(builder: &mut Builder, polynomial: &Polynomial, coefficients: &[Polynomial]) -> Result<Node, TowerError> {
-    let (content, wide) = builder.wide(polynomial)?;
+    let (content, wide) = wide::polynomial(builder, polynomial)?;
     let may_cancel = coefficients.iter().any(|c| c.terms().len() > 1 && !builder.tower.facts.terms_agree(c));
     let slice = if may_cancel { builder.graph.compensated(wide, Sign::ANY) } else { builder.graph.residual(wide) };
     let content = builder.graph.constant(&content);
@@ -99,7 +87,7 @@ fn slope(builder: &mut Builder, coefficients: &[Polynomial], unknown: Var, turn:
             (_, true) => None,
             (_, false) => {
                 let weight = coefficient.ring().integer(distance);
-                Some(builder.surd(&coefficient.times(&weight), Quotient::one())?)
+                Some(builder.value(&coefficient.times(&weight))?)
             }
         };
         sum = match (sum, next) {

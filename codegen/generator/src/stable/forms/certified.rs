@@ -1,6 +1,6 @@
 //! Rule `certified`: a formula for which no stable form is found is left as it is, and every call bounds its own error.
 
-use super::Rule;
+use crate::stable::rule::Rule;
 
 /// The rule.
 pub const RULE: Rule = Rule {

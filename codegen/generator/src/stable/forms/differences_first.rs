@@ -1,10 +1,11 @@
 //! Rule `differences-first`: what depends on two inputs only through their difference takes the difference first.
 
-use super::Rule;
+use super::plain;
 use crate::algebra::{Polynomial, Var};
 use crate::field::TowerError;
 use crate::program::Node;
 use crate::stable::builder::Builder;
+use crate::stable::rule::Rule;
 use num_traits::Signed;
 
 /// The rule.
@@ -18,14 +19,14 @@ pub const RULE: Rule = Rule {
 ///
 /// # Errors
 /// When the tower has no room left.
-pub fn apply(builder: &mut Builder, polynomial: &Polynomial) -> Result<Option<Node>, TowerError> {
+pub fn steps(builder: &mut Builder, polynomial: &Polynomial) -> Result<Option<Node>, TowerError> {
     let grouped = group(builder, polynomial)?;
     if grouped == *polynomial {
         return Ok(None);
     }
-    let node = builder.plain(&grouped)?;
+    let node = plain::steps(builder, &grouped)?;
     if let Some(node) = node {
-        builder.apply(&RULE, node);
+        builder.mark(&RULE, node);
     }
     Ok(node)
 }

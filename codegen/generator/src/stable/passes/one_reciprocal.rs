@@ -1,10 +1,11 @@
 //! Rule `one-reciprocal`: quotients whose denominators have factors in common share one division.
 
-use super::Rule;
+use super::Pass;
+use super::slices::{fits, in_order, in_steps};
 use crate::field::Sign;
 use crate::program::{Graph, Node, Op, Wide};
-use crate::stable::builder::Builder;
-use crate::stable::slices::{fits, in_order, in_steps};
+use crate::stable::candidate::Candidate;
+use crate::stable::rule::Rule;
 use num_rational::BigRational;
 use num_traits::One;
 
@@ -12,9 +13,8 @@ use num_traits::One;
 /// times of 2^86 s, where the coefficients of a quartic are far from it.
 pub const RULE: Rule = Rule {
     name: "one-reciprocal",
-    statement: "a/p, b/q, .. = (a*(d/p))*r, (b*(d*f/q))*r*s, .. where d has half the powers of the factors of p, q, .., \
-                r = 1/d and, of a factor f that q has more of, s = 1/f = (d/f)*r",
-    condition: "the contract asks for one division, and a, b, .. p, q, .. are polynomials of the inputs",
+    statement: "a/p, b/q = (a*(d/p))*r, (b*(d*f/q))*r*s with r = 1/d, d of half the powers in p and q, s = 1/f = (d/f)*r",
+    condition: "the contract asks for one division; a, b, p, q are polynomials of the inputs, and f is what q has more of",
 };
 
 /// A quotient of polynomials: the numerator, and the factors of the denominator with their powers.
@@ -46,27 +46,38 @@ impl Products {
     }
 }
 
-/// The results, those that are quotients through one reciprocal.
-pub fn apply(builder: &mut Builder, results: &[Node], products: Products) -> Vec<Node> {
-    let quotients: Vec<Option<Quotient>> = results.iter().map(|&result| quotient(&builder.graph, result)).collect();
+/// Takes results that are quotients through one reciprocal.
+pub struct OneReciprocal {
+    /// How products are evaluated.
+    pub products: Products,
+}
+
+impl Pass for OneReciprocal {
+    fn apply(&self, candidate: &Candidate) -> Option<Candidate> {
+        let mut made = candidate.clone();
+        made.outputs = through_one_reciprocal(&mut made.graph, &candidate.outputs, self.products)?;
+        Some(made)
+    }
+}
+
+fn through_one_reciprocal(graph: &mut Graph, results: &[Node], products: Products) -> Option<Vec<Node>> {
+    let quotients: Vec<Option<Quotient>> = results.iter().map(|&result| quotient(graph, result)).collect();
     let mut shared = Factors::default();
     quotients.iter().flatten().for_each(|quotient| shared.take_largest(&quotient.denominator));
     shared.0.iter_mut().for_each(|(_, power)| *power = power.div_ceil(2));
-    let Some(whole) = shared.product().filter(fits) else { return results.to_vec() };
+    let whole = shared.product().filter(fits)?;
     if quotients.iter().flatten().count() < 2 {
-        return results.to_vec();
+        return None;
     }
-    let one = builder.graph.constant(&BigRational::one());
-    let whole = products.make(&mut builder.graph, whole);
-    let reciprocal = builder.graph.div(one, whole);
-    builder.apply(&RULE, reciprocal);
+    let one = graph.constant(&BigRational::one());
+    let whole = products.make(graph, whole);
+    let reciprocal = graph.div(one, whole);
+    graph.mark(reciprocal, RULE.name);
     let through = |(&result, quotient): (&Node, &Option<Quotient>)| {
-        quotient
-            .as_ref()
-            .and_then(|quotient| quotient.through(&mut builder.graph, &shared, reciprocal, products))
-            .unwrap_or(result)
+        let value = quotient.as_ref().and_then(|quotient| quotient.through(graph, &shared, reciprocal, products));
+        value.inspect(|&value| graph.replace(result, value)).unwrap_or(result)
     };
-    results.iter().zip(&quotients).map(through).collect()
+    Some(results.iter().zip(&quotients).map(through).collect())
 }
 
 impl Quotient {

@@ -1,10 +1,12 @@
 //! Rule `merge-roots`: a product of square roots, and a quotient by a factor of the radicand, become one root.
 
-use super::Rule;
 use crate::algebra::Polynomial;
 use crate::field::{Radical, Sign, TowerError, parts};
 use crate::program::Node;
-use crate::stable::builder::{Builder, Factor, Quotient};
+use crate::stable::builder::Builder;
+use crate::stable::quotient::{Factor, Quotient};
+use crate::stable::rule::Rule;
+use crate::stable::surd::Surd;
 
 /// The rule.
 pub const RULE: Rule = Rule {
@@ -13,11 +15,21 @@ pub const RULE: Rule = Rule {
     condition: "a and b are nonnegative; a is positive where it divides alone",
 };
 
-/// `surd*sqrt(r)` times a quotient, with one root for all that `surd` contains as factors.
+/// The sum, if a root is a factor of all of it.
 ///
 /// # Errors
 /// When the tower has no room left.
-pub fn apply(
+pub fn steps(builder: &mut Builder, surd: &Surd) -> Result<Option<Node>, TowerError> {
+    let common = builder.tower.radicals().iter().rev().find_map(|radical| {
+        let (rational, rest) = parts(&surd.sum, radical.var);
+        (rational.is_zero() && !rest.is_zero()).then(|| (radical.clone(), rest))
+    });
+    let Some((radical, rest)) = common else { return Ok(None) };
+    merged(builder, &rest, &radical, surd.quotient.clone()).map(Some)
+}
+
+/// `surd*sqrt(r)` times a quotient, with one root for all that `surd` contains as factors.
+fn merged(
     builder: &mut Builder,
     surd: &Polynomial,
     radical: &Radical,
@@ -65,12 +77,12 @@ pub fn apply(
         let root = builder.variable(*var)?;
         quotient.multiply_node(root, 1);
     } else if !merged.is_empty() {
-        let radicand = builder.assemble(&inside)?;
+        let radicand = builder.quotient(&inside)?;
         let root = builder.graph.sqrt(radicand);
-        builder.apply(&RULE, root);
+        builder.mark(&RULE, root);
         quotient.multiply_node(root, if below { -1 } else { 1 });
     }
-    builder.surd(&rest, quotient)
+    builder.product(&rest, quotient)
 }
 
 /// Whether a quotient has this power of a polynomial, or one that is farther from zero.

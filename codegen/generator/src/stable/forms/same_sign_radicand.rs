@@ -1,10 +1,12 @@
 //! Rule `same-sign-radicand`: a radicand that may cancel becomes a sum that does not.
 
-use super::Rule;
-use crate::algebra::Polynomial;
-use crate::field::{Radical, Sign, TowerError, parts};
-use crate::stable::builder::{Builder, Quotient};
-use num_traits::Signed;
+use super::plain;
+use crate::field::{Sign, TowerError};
+use crate::program::Node;
+use crate::stable::builder::Builder;
+use crate::stable::rule::Rule;
+use crate::stable::surd::Surd;
+use num_traits::{One, Signed};
 
 /// The rule.
 pub const RULE: Rule = Rule {
@@ -13,28 +15,29 @@ pub const RULE: Rule = Rule {
     condition: "n is never positive, so that a^2 and -n do not cancel",
 };
 
-/// Lets the radical stand for `sqrt(a^2 + (-n))` where its radicand has no plain form but that one.
+/// The sum with `sqrt(a^2 + (-n))` for its root, where the radicand has no plain form but that one.
 ///
 /// # Errors
 /// When the tower has no room left.
-pub fn prepare(builder: &mut Builder, sum: &Polynomial, radical: &Radical) -> Result<(), TowerError> {
+pub fn steps(builder: &mut Builder, surd: &Surd) -> Result<Option<Node>, TowerError> {
+    let Surd { sum, radical, .. } = surd;
     if builder.tower.top_radical(&radical.radicand).is_some() || builder.has_stand_in(radical.var) {
-        return Ok(());
+        return Ok(None);
     }
-    let (rational, surd) = parts(sum, radical.var);
-    let unit = surd.as_constant().is_some_and(|c| c.abs() == num_traits::One::one());
+    let (rational, irrational) = surd.parts();
+    let unit = irrational.as_constant().is_some_and(|c| c.abs().is_one());
     let norm = builder.tower.norm(sum, radical);
     let agrees = builder.tower.sign_of(&norm).is(Sign::NONPOSITIVE);
-    if !unit || !agrees || builder.plain(&radical.radicand)?.is_some() {
-        return Ok(());
+    if !unit || !agrees || plain::steps(builder, &radical.radicand)?.is_some() {
+        return Ok(None);
     }
-    let a = builder.surd(&rational, Quotient::one())?;
+    let a = builder.value(&rational)?;
     let square = builder.graph.mul(a, a);
     let square = builder.graph.with_error(square, Sign::NONNEGATIVE, 2.0 * builder.graph.error(a) + 1.0);
-    let rest = builder.surd(&norm.negated(), Quotient::one())?;
+    let rest = builder.value(&norm.negated())?;
     let inside = builder.graph.add(square, rest);
     let root = builder.graph.sqrt(inside);
-    builder.apply(&RULE, inside);
+    builder.mark(&RULE, inside);
     builder.stand_for(radical.var, root);
-    Ok(())
+    builder.surd(surd).map(Some)
 }

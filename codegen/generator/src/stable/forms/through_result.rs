@@ -1,10 +1,12 @@
 //! Rule `through-result`: a result is computed from an earlier result of the same kernel, where that removes cancellation.
 
-use super::Rule;
+use super::plain;
 use crate::algebra::{Polynomial, Var};
 use crate::field::{Element, Sign, Tower, TowerError, parts};
 use crate::program::Node;
-use crate::stable::builder::{Builder, Quotient};
+use crate::stable::builder::Builder;
+use crate::stable::quotient::Quotient;
+use crate::stable::rule::Rule;
 use std::cmp::Ordering;
 
 /// The rule.
@@ -22,19 +24,27 @@ pub struct Earlier {
     pub node: Node,
 }
 
-/// The steps of an element through an earlier result, if that gives a plain rational form.
+/// A result, and those before it.
+pub struct Later {
+    /// The exact value.
+    pub element: Element,
+    /// What comes before it.
+    pub earlier: Vec<Earlier>,
+}
+
+/// The steps of a result through an earlier one, if that gives a plain rational form.
 ///
 /// # Errors
 /// When the tower has no room left.
-pub fn apply(builder: &mut Builder, element: &Element, earlier: &[Earlier]) -> Result<Option<Node>, TowerError> {
-    for result in earlier {
+pub fn steps(builder: &mut Builder, later: &Later) -> Result<Option<Node>, TowerError> {
+    for result in &later.earlier {
         let sign = builder.tower.sign(&result.element);
-        let Some((numerator, denominator)) = eliminate(builder, element, result, sign)? else { continue };
+        let Some((numerator, denominator)) = eliminate(builder, &later.element, result, sign)? else { continue };
         let mut quotient = Quotient::one();
         quotient.multiply(&denominator, -1);
         quotient.multiply(&numerator, 1);
-        let node = builder.assemble(&quotient)?;
-        builder.apply(&RULE, node);
+        let node = builder.quotient(&quotient)?;
+        builder.mark(&RULE, node);
         return Ok(Some(node));
     }
     Ok(None)
@@ -132,7 +142,7 @@ fn lowest_terms(numerator: &Polynomial, denominator: &Polynomial) -> (Polynomial
 
 fn is_plain(builder: &Builder, polynomial: &Polynomial) -> bool {
     let factors = polynomial.factors();
-    !polynomial.is_zero() && factors.powers.iter().all(|(factor, _)| builder.has_plain_form(factor))
+    !polynomial.is_zero() && factors.powers.iter().all(|(factor, _)| plain::applies(builder, factor))
 }
 
 /// Whether the relation holds for the earlier result itself, exactly.

@@ -1,10 +1,11 @@
 //! Rule `known-sum`: a variable is written through a sum whose sign the domain gives, so that nothing cancels.
 
-use super::Rule;
+use super::plain;
 use crate::algebra::{Polynomial, Var};
 use crate::field::{Slack, TowerError};
 use crate::program::Node;
 use crate::stable::builder::Builder;
+use crate::stable::rule::Rule;
 
 /// The rule.
 pub const RULE: Rule = Rule {
@@ -17,7 +18,7 @@ pub const RULE: Rule = Rule {
 ///
 /// # Errors
 /// When the tower has no room left.
-pub fn apply(builder: &mut Builder, polynomial: &Polynomial) -> Result<Option<Node>, TowerError> {
+pub fn steps(builder: &mut Builder, polynomial: &Polynomial) -> Result<Option<Node>, TowerError> {
     let slacks: Vec<Slack> = builder.tower.facts.slacks().to_vec();
     for slack in &slacks {
         for var in slack.polynomial.variables() {
@@ -25,7 +26,7 @@ pub fn apply(builder: &mut Builder, polynomial: &Polynomial) -> Result<Option<No
                 continue;
             }
             if let Some(node) = through(builder, polynomial, slack, var)? {
-                builder.apply(&RULE, node);
+                builder.mark(&RULE, node);
                 return Ok(Some(node));
             }
         }
@@ -39,9 +40,9 @@ fn through(
     slack: &Slack,
     var: Var,
 ) -> Result<Option<Node>, TowerError> {
-    let Some(sum) = builder.plain(&slack.polynomial)? else { return Ok(None) };
+    let Some(sum) = plain::steps(builder, &slack.polynomial)? else { return Ok(None) };
     let stand_in = builder.tower.allocate(slack.sign)?;
     builder.stand_for(stand_in, sum);
     let Some(value) = slack.solved_for(var, &polynomial.ring().variable(stand_in)) else { return Ok(None) };
-    builder.plain(&polynomial.substituted(var, &value))
+    plain::steps(builder, &polynomial.substituted(var, &value))
 }

@@ -1,0 +1,82 @@
+//! Candidates: programs for the same results, which are made beside each other and compared by their errors.
+
+use crate::program::{Graph, Node, Op, rules_reached};
+use closedform_syntax::Precision;
+use std::collections::{BTreeSet, HashMap};
+
+/// A program for the results of a kernel.
+#[derive(Clone)]
+pub struct Candidate {
+    /// Its steps.
+    pub graph: Graph,
+    /// Its results, in order.
+    pub outputs: Vec<Node>,
+    /// What its steps are taken in.
+    pub precision: Precision,
+}
+
+/// What a step in double-double adds to a relative error, in units of 2^-53: 15 * 2^-53, rounded up with all terms of
+/// higher order.
+const STEP: f64 = 1e-6;
+
+/// How far a `compensated!` slice may be off that is not rounded, in units of 2^-53.
+const COMPENSATED: f64 = 0.001;
+
+impl Candidate {
+    /// A program in `f64`.
+    #[must_use]
+    pub fn new(graph: Graph, outputs: Vec<Node>) -> Self {
+        Self { graph, outputs, precision: Precision::Double }
+    }
+
+    /// A bound of the relative error of a result, in units of 2^-53, barring overflow and underflow.
+    #[must_use]
+    pub fn error(&self, output: Node) -> f64 {
+        match self.precision {
+            Precision::Double => self.graph.error(output),
+            Precision::DoubleDouble | Precision::Certified => error_in_double_double(&self.graph, output),
+        }
+    }
+
+    /// The largest error of a result.
+    #[must_use]
+    pub fn worst_error(&self) -> f64 {
+        self.outputs.iter().map(|&output| self.error(output)).fold(0.0, f64::max)
+    }
+
+    /// The names of the rules that made its steps, and those that some conditions need.
+    #[must_use]
+    pub fn rules(&self, conditions: &[Node]) -> BTreeSet<&'static str> {
+        rules_reached(&self.graph, self.outputs.iter().chain(conditions).copied())
+    }
+}
+
+/// The relative error of a result in units of 2^-53 when its steps are taken in double-double, and it is rounded.
+fn error_in_double_double(graph: &Graph, result: Node) -> f64 {
+    error_of_step(graph, result, &mut HashMap::new()) + 1.0
+}
+
+fn error_of_step(graph: &Graph, node: Node, known: &mut HashMap<Node, f64>) -> f64 {
+    if graph.error(node) == 0.0 || !graph.error(node).is_finite() {
+        return graph.error(node);
+    }
+    if let Some(&error) = known.get(&node) {
+        return error;
+    }
+    let mut of = |node| error_of_step(graph, node, known);
+    let error = match graph.op(node) {
+        Op::Input(_) | Op::Literal(_) => graph.error(node),
+        Op::Pi => STEP,
+        Op::Neg(a) | Op::Abs(a) => of(*a),
+        // the sum of what `f64` adds without cancellation does not cancel here either
+        Op::Add(a, b) | Op::Sub(a, b) => of(*a).max(of(*b)) + STEP,
+        Op::Mul(a, b) | Op::Div(a, b) => of(*a) + of(*b) + STEP,
+        Op::Sqrt(a) => 0.5 * of(*a) + STEP,
+        Op::If(_, a, b) => of(*a).max(of(*b)),
+        Op::Max(items) | Op::Min(items) => items.iter().map(|&item| of(item)).fold(0.0, f64::max),
+        Op::Compensated(_) => COMPENSATED,
+        Op::Residual(_) | Op::PositiveRoot(_) => f64::INFINITY,
+    };
+    known.insert(node, error);
+    error
+}

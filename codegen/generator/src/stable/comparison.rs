@@ -1,0 +1,57 @@
+//! Comparisons of steps with zero.
+
+use crate::field::Sign;
+use crate::program::{Condition, Graph, Node, Op, Order};
+use num_rational::BigRational;
+use num_traits::Zero;
+
+/// The condition that a step has a sign relation to zero; constant factors of the step do not matter.
+pub fn compared_with_zero(graph: &mut Graph, node: Node, order: Order) -> Condition {
+    let (inner, mirrored) = match *graph.op(node) {
+        Op::Neg(a) => (a, true),
+        Op::Mul(a, b) if has_one_sign(graph, a) => (b, graph.sign(a).is(Sign::NEGATIVE)),
+        Op::Mul(a, b) if has_one_sign(graph, b) => (a, graph.sign(b).is(Sign::NEGATIVE)),
+        _ => {
+            let zero = graph.constant(&BigRational::zero());
+            return Condition::Compare(node, order, zero);
+        }
+    };
+    graph.replace(node, inner);
+    compared_with_zero(graph, inner, if mirrored { order.mirrored() } else { order })
+}
+
+fn has_one_sign(graph: &Graph, node: Node) -> bool {
+    let sign = graph.sign(node);
+    sign.is_definite() && sign.is(Sign::NONZERO)
+}
+
+/// The sign relation that says "not of the opposite sign".
+#[must_use]
+pub fn not_opposite(sign: Sign) -> Option<Order> {
+    if sign.is(Sign::NONNEGATIVE) {
+        Some(Order::GreaterOrEqual)
+    } else if sign.is(Sign::NONPOSITIVE) {
+        Some(Order::LessOrEqual)
+    } else {
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn constant_factors_do_not_matter_but_for_their_sign() {
+        let mut graph = Graph::default();
+        let (x, y) = (graph.input(0, Sign::ANY), graph.input(1, Sign::NEGATIVE));
+        let zero = graph.constant(&BigRational::zero());
+        let minus_two = graph.constant(&BigRational::from_integer((-2).into()));
+        let doubled = graph.mul(minus_two, x);
+        let turned = graph.mul(doubled, y);
+        let mut compared = |node| compared_with_zero(&mut graph, node, Order::Greater);
+        assert_eq!(compared(x), Condition::Compare(x, Order::Greater, zero));
+        assert_eq!(compared(doubled), Condition::Compare(x, Order::Less, zero));
+        assert_eq!(compared(turned), Condition::Compare(x, Order::Greater, zero));
+    }
+}

@@ -1,0 +1,19 @@
+//! The first phase: forms, by which polynomials, surds, quotients and elements become steps.
+//!
+//! A form is a [`Form`](super::builder::Form): it makes the steps of its subject, or says that it does not apply. What it
+//! needs of other forms it asks of the builder.
+
+pub mod certified;
+pub mod compensated;
+pub mod conjugate;
+pub mod differences_first;
+pub mod divided;
+pub mod factored;
+pub mod known_sum;
+pub mod merge_roots;
+pub mod plain;
+pub mod same_sign_radicand;
+pub mod sign_branch;
+pub mod sum;
+pub mod through_result;
+pub mod wide;

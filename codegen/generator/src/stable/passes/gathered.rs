@@ -1,0 +1,159 @@
+//! Rule `gathered`: a polynomial of the inputs that takes several roundings becomes one slice.
+
+use super::slices::{fits, in_order};
+use super::{Pass, Product};
+use crate::program::{Condition, Graph, Node, Op, Wide};
+use crate::stable::candidate::Candidate;
+use crate::stable::comparison::compared_with_zero;
+use crate::stable::rule::Rule;
+use num_traits::Zero;
+use std::collections::HashMap;
+
+/// The rule.
+pub const RULE: Rule = Rule {
+    name: "gathered",
+    statement: "steps that make a polynomial of the inputs are evaluated in double-double and rounded once",
+    condition: "a result of the kernel would be off by more than 4.5 ulp otherwise, or few roundings are asked for: it costs time",
+};
+
+/// A bound that is small enough, in units of 2^-53.
+pub const ENOUGH: f64 = 4.5;
+
+/// Takes polynomials of many roundings as slices.
+pub struct Gathered {
+    /// Whether it is done however few roundings the results have.
+    pub always: bool,
+    /// How products of what is gathered are made.
+    pub product: Product,
+}
+
+impl Pass for Gathered {
+    fn apply(&self, candidate: &Candidate) -> Option<Candidate> {
+        if candidate.worst_error() <= ENOUGH && !self.always {
+            return None;
+        }
+        let mut made = candidate.clone();
+        let mut walk = Walk { graph: &mut made.graph, product: self.product, known: HashMap::new() };
+        made.outputs = candidate.outputs.iter().map(|&output| walk.gathered(output)).collect();
+        Some(made)
+    }
+}
+
+/// Records that a slice is gathered.
+pub fn mark(graph: &mut Graph, slice: Node) {
+    graph.mark(slice, RULE.name);
+    graph.fuse(slice);
+}
+
+/// The polynomial of a step that takes more than one rounding.
+fn slice(graph: &Graph, node: Node) -> Option<Wide> {
+    // what is one rounding from exact gains nothing
+    let worth = graph.error(node) > 1.5 && !matches!(graph.op(node), Op::Compensated(_));
+    graph.polynomial(node).filter(|wide| worth && fits(wide))
+}
+
+/// A walk over the steps, each of which is gathered once.
+struct Walk<'g> {
+    graph: &'g mut Graph,
+    product: Product,
+    known: HashMap<Node, Node>,
+}
+
+impl Walk<'_> {
+    fn gathered(&mut self, node: Node) -> Node {
+        if let Some(&done) = self.known.get(&node) {
+            return done;
+        }
+        let done = match slice(self.graph, node) {
+            Some(wide) => {
+                let sign = self.graph.sign(node);
+                let (slice, value) = in_order(self.graph, wide, sign);
+                mark(self.graph, slice);
+                self.graph.replace(node, slice);
+                value
+            }
+            None => self.in_parts(node),
+        };
+        self.known.insert(node, done);
+        done
+    }
+
+    fn in_parts(&mut self, node: Node) -> Node {
+        let made = match self.graph.op(node).clone() {
+            Op::Neg(a) => {
+                let a = self.gathered(a);
+                self.graph.neg(a)
+            }
+            Op::Sqrt(a) => {
+                let a = self.gathered(a);
+                self.graph.sqrt(a)
+            }
+            Op::Abs(a) => {
+                let a = self.gathered(a);
+                self.graph.abs(a)
+            }
+            Op::Add(a, b) => {
+                let [a, b] = self.terms([a, b]);
+                let sum = self.graph.add(a, b);
+                self.uncancelled(sum, [a, b], node)
+            }
+            Op::Sub(a, b) => {
+                let [a, b] = self.terms([a, b]);
+                let difference = self.graph.sub(a, b);
+                self.uncancelled(difference, [a, b], node)
+            }
+            Op::Mul(a, b) => {
+                let (a, b) = (self.gathered(a), self.gathered(b));
+                (self.product)(self.graph, a, b).unwrap_or_else(|| self.graph.mul(a, b))
+            }
+            Op::Div(a, b) => {
+                let (a, b) = (self.gathered(a), self.gathered(b));
+                self.graph.div(a, b)
+            }
+            Op::If(condition, a, b) => {
+                let condition = self.decided(condition);
+                let (a, b) = (self.gathered(a), self.gathered(b));
+                self.graph.select(condition, a, b)
+            }
+            _ => return node,
+        };
+        let sign = self.graph.sign(node);
+        self.graph.learn(made, sign);
+        let rules = self.graph.rules(node).to_vec();
+        rules.into_iter().for_each(|rule| self.graph.mark(made, rule));
+        made
+    }
+
+    /// The terms of a sum, gathered where that makes the larger of their errors less.
+    fn terms(&mut self, plain: [Node; 2]) -> [Node; 2] {
+        let [a, b] = plain.map(|term| self.gathered(term));
+        let needed = |plain: Node, gathered: Node, other: Node| {
+            if self.graph.error(plain) <= self.graph.error(other) { plain } else { gathered }
+        };
+        [needed(plain[0], a, b), needed(plain[1], b, a)]
+    }
+
+    /// The condition on what is gathered, so that nothing is computed twice.
+    fn decided(&mut self, condition: Condition) -> Condition {
+        match condition {
+            Condition::Compare(a, order, b) => {
+                let (a, b) = (self.gathered(a), self.gathered(b));
+                let with_zero = self.graph.literal(b).is_some_and(Zero::is_zero);
+                if with_zero { compared_with_zero(self.graph, a, order) } else { Condition::Compare(a, order, b) }
+            }
+            Condition::And(a, b) => Condition::And(self.decided(*a).into(), self.decided(*b).into()),
+            Condition::Or(a, b) => Condition::Or(self.decided(*a).into(), self.decided(*b).into()),
+            Condition::Not(inner) => Condition::Not(self.decided(*inner).into()),
+        }
+    }
+
+    /// A sum that does not cancel, because the sum of the same terms that it stands for does not.
+    fn uncancelled(&mut self, sum: Node, terms: [Node; 2], before: Node) -> Node {
+        let graph = &mut *self.graph;
+        if graph.error(sum).is_finite() || !graph.error(before).is_finite() {
+            return sum;
+        }
+        let error = terms.map(|term| graph.error(term)).into_iter().fold(0.0, f64::max) + 1.0;
+        graph.with_error(sum, graph.sign(before), error)
+    }
+}

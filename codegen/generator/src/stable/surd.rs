@@ -1,0 +1,39 @@
+//! Surds: sums with a square root, times a quotient, as forms get them.
+
+use super::quotient::Quotient;
+use crate::algebra::Polynomial;
+use crate::field::{Radical, Sign, Tower, parts};
+use std::cell::OnceCell;
+
+/// A sum `a + b*sqrt(r)` times a quotient.
+pub struct Surd {
+    /// The sum, whose terms have no factor in common.
+    pub sum: Polynomial,
+    /// The square root: of highest level among those of the sum.
+    pub radical: Radical,
+    /// The quotient.
+    pub quotient: Quotient,
+    signs: OnceCell<[Sign; 2]>,
+}
+
+impl Surd {
+    /// A sum times a quotient.
+    #[must_use]
+    pub fn new(sum: Polynomial, radical: Radical, quotient: Quotient) -> Self {
+        Self { sum, radical, quotient, signs: OnceCell::new() }
+    }
+
+    /// `a` and `b`.
+    #[must_use]
+    pub fn parts(&self) -> (Polynomial, Polynomial) {
+        parts(&self.sum, self.radical.var)
+    }
+
+    /// The signs of `a` and `b*sqrt(r)`.
+    pub fn signs(&self, tower: &Tower) -> [Sign; 2] {
+        *self.signs.get_or_init(|| {
+            let (rational, surd) = self.parts();
+            [tower.sign_of(&rational), tower.sign_of(&surd) * tower.facts.variable(self.radical.var)]
+        })
+    }
+}
