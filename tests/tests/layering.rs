@@ -6,8 +6,10 @@ use closedform_tests::layering::{self, Edge};
 use closedform_tests::workspace::{self, Source};
 
 /// What crates may depend on, among those of the workspace.
-const CRATES: [(&str, &str); 42] = [
+const CRATES: [(&str, &str); 46] = [
+    ("closedform", "closedform-arith"),
     ("closedform", "closedform-derive"),
+    ("closedform-bounds", "closedform-arith"),
     ("closedform-bounds", "closedform-syntax"),
     ("closedform-cli", "closedform"),
     ("closedform-cli", "closedform-bounds"),
@@ -21,12 +23,13 @@ const CRATES: [(&str, &str); 42] = [
     ("closedform-derive", "closedform-syntax"),
     ("closedform-errata", "closedform-maxima"),
     ("closedform-errata", "closedform-project"),
+    ("closedform-generator", "closedform-arith"),
     ("closedform-generator", "closedform-bounds"),
     ("closedform-generator", "closedform-maxima"),
     ("closedform-generator", "closedform-project"),
     ("closedform-generator", "closedform-syntax"),
     ("closedform-kernels", "closedform"),
-    ("closedform-measure", "closedform"),
+    ("closedform-measure", "closedform-arith"),
     ("closedform-measure", "closedform-maxima"),
     ("closedform-measure", "closedform-project"),
     ("closedform-measure", "closedform-syntax"),
@@ -44,6 +47,7 @@ const CRATES: [(&str, &str); 42] = [
     ("closedform-symbolica", "closedform-generator"),
     ("closedform-symbolica", "closedform-project"),
     ("closedform-symbolica", "closedform-system"),
+    ("closedform-syntax", "closedform-arith"),
     ("closedform-tests", "closedform"),
     ("closedform-tests", "closedform-bounds"),
     ("closedform-tests", "closedform-kernels"),
@@ -52,11 +56,12 @@ const CRATES: [(&str, &str); 42] = [
 ];
 
 /// What their tests may depend on besides.
-const CRATES_IN_TESTS: [(&str, &str); 9] = [
+const CRATES_IN_TESTS: [(&str, &str); 10] = [
     ("closedform-cli", "closedform-generator"),
     ("closedform-cli", "closedform-measure"),
     ("closedform-cli", "closedform-project"),
     ("closedform-derive", "closedform"),
+    ("closedform-derive", "closedform-arith"),
     ("closedform-errata", "closedform-project"),
     ("closedform-mutants", "closedform-measure"),
     ("closedform-symbolica", "closedform"),

@@ -21,6 +21,7 @@ use crate::stable::rules::falling_newton::{self, RootError};
 use crate::stable::rules::one_reciprocal::Products;
 use crate::stable::rules::{certified, double_double, gathered, one_reciprocal};
 use crate::stable::stabilise;
+use closedform_arith::error_model::CERTIFIED_ULP;
 use closedform_maxima::{Definition, to_latex};
 use closedform_project::contract::{Contract, KernelContract, ResultContract};
 use closedform_project::expression::{Expr, LowerError, lower};
@@ -119,7 +120,7 @@ pub fn make_as_written(
     outputs.iter().for_each(|&output| graph.mark(output, certified::RULE.name));
     let requires = conditions.into_iter().zip(kernel.domain.texts());
     let requires = requires.map(|(condition, text)| RequireText::new(condition, text)).collect();
-    let results = kernel.results.iter().map(|result| result_text(result, CERTIFIED)).collect();
+    let results = kernel.results.iter().map(|result| result_text(result, CERTIFIED_ULP)).collect();
     let made = Made { requires, outputs, results, rules: vec![certified::RULE.name], precision: Precision::Certified };
     Ok(KernelText { certified_because: Some(because), ..text(contract, kernel, references, graph, made) })
 }
@@ -291,9 +292,6 @@ fn results(
 fn result_text(result: &ResultContract, bound: f64) -> ResultText {
     ResultText { name: result.name.clone(), worksheet: result.worksheet.clone(), unit: result.unit.clone(), bound }
 }
-
-/// What every certified call keeps, in ulp: it is off by less than 2^-60 before it is rounded.
-const CERTIFIED: f64 = 0.51;
 
 /// A relative error in units of 2^-53 as a bound in ulp, rounded up.
 ///

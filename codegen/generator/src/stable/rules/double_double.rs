@@ -3,6 +3,7 @@
 use super::Rule;
 use crate::program::{Graph, Node, Op};
 use crate::stable::builder::Builder;
+use closedform_arith::error_model;
 use std::collections::HashMap;
 
 /// The rule.
@@ -17,12 +18,11 @@ pub const RULE: Rule = Rule {
 const ENOUGH: f64 = 5.0;
 const FEW: f64 = 2.0;
 
-/// What a step in double-double adds to a relative error, in units of 2^-53: 15 * 2^-53, rounded up with all terms of
-/// higher order.
-const STEP: f64 = 1e-6;
+/// What a step in double-double adds to a relative error, in units of 2^-53.
+const STEP: f64 = error_model::DOUBLE_DOUBLE_STEP.to_f64();
 
 /// How far a `compensated!` slice may be off that is not rounded, in units of 2^-53.
-const COMPENSATED: f64 = 0.001;
+const COMPENSATED: f64 = error_model::COMPENSATED_IN_DOUBLE_DOUBLE.to_f64();
 
 /// Whether the results are taken in double-double, since what is gathered is not enough.
 pub fn apply(builder: &mut Builder, results: &[Node], gathered: &[Node], few_roundings: bool) -> bool {
@@ -38,7 +38,7 @@ pub fn apply(builder: &mut Builder, results: &[Node], gathered: &[Node], few_rou
 /// The relative error of a result in units of 2^-53 when its steps are taken in double-double, and it is rounded.
 #[must_use]
 pub fn error(graph: &Graph, result: Node) -> f64 {
-    error_of_step(graph, result, &mut HashMap::new()) + 1.0
+    error_of_step(graph, result, &mut HashMap::new()) + error_model::ROUNDING.to_f64()
 }
 
 fn error_of_step(graph: &Graph, node: Node, known: &mut HashMap<Node, f64>) -> f64 {

@@ -5,6 +5,7 @@ use crate::algebra::{Polynomial, Var};
 use crate::field::{Sign, TowerError};
 use crate::program::Node;
 use crate::stable::builder::{Builder, Quotient};
+use closedform_arith::error_model;
 use thiserror::Error;
 
 /// The rule.
@@ -52,9 +53,8 @@ pub fn apply(builder: &mut Builder, polynomial: &Polynomial, unknown: Var) -> Re
     Ok(builder.graph.with_error(root, Sign::POSITIVE, CORRECTED))
 }
 
-/// The relative error after the correction, in units of 2^-53: the subtraction's rounding, and a correction of at most
-/// some hundred units that is itself right to a few units in 2^-40.
-const CORRECTED: f64 = 1.0 + 0.01;
+/// The relative error after the correction, in units of 2^-53.
+const CORRECTED: f64 = error_model::CORRECTED_ROOT.to_f64();
 
 /// The polynomial at the iterate. Powers of the iterate cancel by no more than double-double holds, since the root is well
 /// conditioned; the terms of one coefficient may cancel by more.

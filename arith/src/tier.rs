@@ -122,7 +122,7 @@ fn attempt<S: Steps, R: Real>(
     (!left.get()).then_some(Ok(results))
 }
 
-/// What a certified program answers to finite inputs: each result off by 0.51 ulp at most.
+/// What a certified program answers to finite inputs: each result off by [`CERTIFIED_ULP`](crate::error_model::CERTIFIED_ULP) at most.
 pub fn certified<S: Steps>(steps: &S) -> Answer<S> {
     let undecided = || Ok(steps.results(Soft::from_f64, |_| Rounded::undecided()));
     in_balls::<S, 4>(steps)
