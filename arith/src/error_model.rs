@@ -6,9 +6,10 @@
 //!
 //! Double-double is that of M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous error bounds for basic building blocks
 //! of double-word arithmetic", ACM TOMS 44(2), 2017 (JMP). J.-M. Muller, L. Rideau, "Formalization of double-word
-//! arithmetic, and comments on \[JMP\]", ACM TOMS 48(1), 2022 (MR) proved its theorems by machine, mended two of the proofs,
-//! and sharpened the bounds of products. The root is that of V. Lefevre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau,
-//! "Accurate calculation of Euclidean norms using double-word arithmetic", ACM TOMS 49(1), 2023.
+//! arithmetic, and comments on \[JMP\]", ACM TOMS 48(1), 2022 (MR) proved its theorems by machine; they mended the proofs of
+//! DWPlusFP and of products of two numbers in double-double, and sharpened the bounds of the latter. The root is that of
+//! V. Lefevre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau, "Accurate calculation of Euclidean norms using double-word
+//! arithmetic", ACM TOMS 49(1), 2023.
 //!
 //! All of it holds where nothing over- or underflows: see [`range`](crate::range).
 
