@@ -102,8 +102,8 @@ pub mod double_double {
 
 /// Errors of parts of compensated expressions: n u^2 times the sum of the magnitudes of their terms.
 ///
-/// Let parts have errors of a u^2 and b u^2 times their sums. That of their sum is max(a, b) + [`SUM`](self::SUM), that of
-/// their product a + b + [`PRODUCT`](self::PRODUCT), and likewise with an operand, whose error is 0. Every constant is the
+/// Let parts have errors of a u^2 and b u^2 times their sums. That of their sum is max(a, b) + [`SUM`](compensated::SUM), that of
+/// their product a + b + [`PRODUCT`](compensated::PRODUCT), and likewise with an operand, whose error is 0. Every constant is the
 /// theorem's of [`double_double`], rounded up to a whole number that covers terms of higher order, and in products one more
 /// for [what underflows](crate::range::UNDERFLOW).
 pub mod compensated {

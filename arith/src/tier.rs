@@ -4,7 +4,7 @@
 //! A tier is left where one of its steps does not keep its promise. The last, [`Soft`], keeps it everywhere, so what comes
 //! out is right for all finite inputs: conditions are decided exactly, and only results over- or underflow.
 //!
-//! A certified kernel has tiers of its own: [balls](Ball) of more and more words, until every condition is decided and
+//! A certified kernel has tiers of its own: balls of more and more words, until every condition is decided and
 //! every result is right.
 
 use core::cell::Cell;
