@@ -11,7 +11,7 @@
 //! V. Lefevre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau, "Accurate calculation of Euclidean norms using double-word
 //! arithmetic", ACM TOMS 49(1), 2023.
 //!
-//! All of it holds where nothing over- or underflows: see [`range`](crate::range).
+//! All of it holds where nothing over- or underflows: see [`range`].
 
 use crate::range;
 
