@@ -2,9 +2,7 @@
 //!
 //! In the emitted code every name is a `&R`. All shapes run this one program, so they cannot disagree.
 
-use closedform_syntax::{
-    BinaryOp, Comparison, Condition, Expr, Kernel, Let, Slice, SliceArithmetic, fold_compensated, fold_residual,
-};
+use closedform_syntax::{BinaryOp, Comparison, Condition, Expr, Kernel, Let, Operand, Operation, Part, Slice, Wide};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
@@ -61,8 +59,8 @@ fn borrowed(expr: &Expr) -> TokenStream {
             let ident = &name.ident;
             quote!(#ident)
         }
-        Expr::Compensated(slice) => fold_compensated(&Emitted, slice, &borrowed),
-        Expr::Residual(slice) => fold_residual(&Emitted, slice, &borrowed),
+        Expr::Compensated(slice) => compensated(slice),
+        Expr::Residual(slice) => residual(slice),
         _ => {
             let value = owned(expr);
             quote!(&#value)
@@ -168,54 +166,55 @@ fn comparison(op: Comparison) -> TokenStream {
     }
 }
 
-/// Slices as emitted code: values are expressions of type `&R`, wide ones of type `R::Wide`.
-struct Emitted;
+/// A `compensated!` slice, as an expression of type `&R`.
+fn compensated(slice: &Slice) -> TokenStream {
+    match Part::of(&slice.value) {
+        Part::Operand(operand) => exact(operand),
+        Part::Wide(part) => {
+            let (wide, operands) = (wide(part), slice.operands.iter().map(borrowed));
+            let (threshold, terms) = (slice.threshold, Literal::byte_string(slice.compact_terms()));
+            let terms = quote!(::closedform::__private::Terms::of(#terms));
+            let value = real("compensated", &[quote!(&#wide), quote!(#threshold), quote!(&[#(#operands),*]), terms]);
+            quote!(&#value)
+        }
+    }
+}
 
-impl SliceArithmetic for Emitted {
-    type Value = TokenStream;
-    type Wide = TokenStream;
+/// A `residual!` slice, as an expression of type `&R`.
+fn residual(slice: &Expr) -> TokenStream {
+    match Part::of(slice) {
+        Part::Operand(operand) => exact(operand),
+        Part::Wide(part) => {
+            let wide = wide(part);
+            let value = real("residual", &[quote!(&#wide)]);
+            quote!(&#value)
+        }
+    }
+}
 
-    fn neg(&self, a: &TokenStream) -> TokenStream {
-        let value = real("neg", &[quote!(#a)]);
+/// An operand of a slice, as an expression of type `&R`.
+fn exact(operand: Operand) -> TokenStream {
+    let value = borrowed(operand.leaf);
+    if !operand.negative {
+        return value;
+    }
+    let negative = real("neg", &[value]);
+    quote!(&#negative)
+}
+
+/// A part of a slice, as an expression of type `R::Wide`.
+fn wide(part: Wide) -> TokenStream {
+    let inner = |part: Wide| {
+        let value = wide(part);
         quote!(&#value)
-    }
-
-    fn two_sum(&self, a: &TokenStream, b: &TokenStream) -> TokenStream {
-        real("two_sum", &[quote!(#a), quote!(#b)])
-    }
-
-    fn two_product(&self, a: &TokenStream, b: &TokenStream) -> TokenStream {
-        real("two_product", &[quote!(#a), quote!(#b)])
-    }
-
-    fn wide_neg(&self, a: &TokenStream) -> TokenStream {
-        real("wide_neg", &[quote!(&#a)])
-    }
-
-    fn wide_add_exact(&self, a: &TokenStream, b: &TokenStream) -> TokenStream {
-        real("wide_add_exact", &[quote!(&#a), quote!(#b)])
-    }
-
-    fn wide_add(&self, a: &TokenStream, b: &TokenStream) -> TokenStream {
-        real("wide_add", &[quote!(&#a), quote!(&#b)])
-    }
-
-    fn wide_mul_exact(&self, a: &TokenStream, b: &TokenStream) -> TokenStream {
-        real("wide_mul_exact", &[quote!(&#a), quote!(#b)])
-    }
-
-    fn wide_mul(&self, a: &TokenStream, b: &TokenStream) -> TokenStream {
-        real("wide_mul", &[quote!(&#a), quote!(&#b)])
-    }
-
-    fn compensated(&self, a: &TokenStream, slice: &Slice, operands: &[TokenStream]) -> TokenStream {
-        let (threshold, terms) = (slice.threshold, Literal::byte_string(&slice.terms));
-        let value = real("compensated", &[quote!(&#a), quote!(#threshold), quote!(&[#(#operands),*]), quote!(#terms)]);
-        quote!(&#value)
-    }
-
-    fn residual(&self, a: &TokenStream) -> TokenStream {
-        let value = real("residual", &[quote!(&#a)]);
-        quote!(&#value)
-    }
+    };
+    let value = match part.operation() {
+        Operation::TwoSum(a, b) => real("two_sum", &[exact(a), exact(b)]),
+        Operation::TwoProduct(a, b) => real("two_product", &[exact(a), exact(b)]),
+        Operation::AddExact(a, b) => real("wide_add_exact", &[inner(a), exact(b)]),
+        Operation::Add(a, b) => real("wide_add", &[inner(a), inner(b)]),
+        Operation::MulExact(a, b) => real("wide_mul_exact", &[inner(a), exact(b)]),
+        Operation::Mul(a, b) => real("wide_mul", &[inner(a), inner(b)]),
+    };
+    if part.negative { real("wide_neg", &[quote!(&#value)]) } else { value }
 }

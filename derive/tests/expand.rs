@@ -1,13 +1,8 @@
 //! What `#[kernel]` emits, called in every shape.
 
-use closedform::__private::{Rounded, Steps, decide};
 use closedform::{CallError, LengthError, Mpfr, Real, ValueError, kernel};
+use closedform_arith::tier::{self, Rounded, Steps};
 use closedform_syntax::{Kernel, Violation};
-
-closedform_syntax::real_arithmetic! {
-    /// The interpreter's arithmetic.
-    struct Interpreted;
-}
 
 /// The text between `source!` braces both compiled and kept, so that the interpreter reads what the macro read.
 macro_rules! source {
@@ -223,7 +218,7 @@ impl Steps for Read<'_> {
 
     fn violated<R: Real>(&self, number: impl Fn(f64) -> R) -> Option<usize> {
         let numbers: Vec<R> = self.1.iter().map(|value| number(*value)).collect();
-        match closedform_syntax::violated(self.0, &Interpreted(number(0.0)), &numbers)? {
+        match closedform_syntax::violated(self.0, &numbers)? {
             Violation::Require(position) => Some(position),
             Violation::NotFinite(_) => panic!("finite numbers only"),
         }
@@ -231,7 +226,7 @@ impl Steps for Read<'_> {
 
     fn results<R: Real, T>(&self, number: impl Fn(f64) -> R, end: impl Fn(R) -> T) -> Vec<T> {
         let numbers: Vec<R> = self.1.iter().map(|value| number(*value)).collect();
-        closedform_syntax::evaluate(self.0, &Interpreted(number(0.0)), &numbers).into_iter().map(end).collect()
+        closedform_syntax::evaluate(self.0, &numbers).into_iter().map(end).collect()
     }
 }
 
@@ -247,7 +242,7 @@ fn agree(read: &Kernel, inputs: &[f64], compiled: &closedform::Kernel) {
         assert_eq!(refused, Some("every input is finite"));
         return;
     }
-    match decide(&Read(read, inputs)) {
+    match tier::plain(&Read(read, inputs)) {
         Ok(results) => {
             let same = results.iter().zip(&plain).all(|(Rounded { value, .. }, plain)| same(*value, *plain));
             assert!(same && refused.is_none(), "{} of {inputs:?}: {results:?} interpreted, {plain:?}", read.name);
@@ -412,10 +407,4 @@ fn a_kernel_may_be_private_to_its_parent_or_local_to_a_function() {
     }
     assert_eq!((inner::hyp(3.0, 4.0), local(1.0)), (5.0, 2.0));
     assert_eq!(inner::hyp::checked(3.0, 4.0), Ok(5.0));
-}
-
-#[test]
-fn the_parser_knows_the_limits_of_the_runtime() {
-    assert_eq!(closedform_syntax::MAX_INPUTS, closedform::MAX_INPUTS);
-    assert_eq!(closedform_syntax::MAX_DEGREE, closedform::MAX_DEGREE);
 }

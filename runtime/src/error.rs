@@ -3,8 +3,10 @@
 use core::error::Error;
 use core::fmt;
 
-use crate::info::{Info, MAX_INPUTS};
-use crate::tier::{Fate, Rounded};
+use closedform_arith::limits::MAX_INPUTS;
+use closedform_arith::tier::{Fate, Rounded};
+
+use crate::info::Info;
 
 /// A point of a kernel: names and values of its inputs. Inputs beyond [`MAX_INPUTS`] are left off.
 #[derive(Clone, Copy, PartialEq)]

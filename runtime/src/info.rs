@@ -1,7 +1,6 @@
 //! What is known of a kernel besides its code.
 
-/// The largest number of inputs of a kernel.
-pub const MAX_INPUTS: usize = 64;
+use closedform_arith::Precision;
 
 /// What is known of a kernel besides its code: where it comes from, what it takes and promises.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,19 +33,6 @@ pub struct Info {
     /// underflows, and no product inside a slice loses its error. Other inputs get results as good, but each step is looked
     /// at, which takes longer. 0 where no k is large enough, and where the function finds the root of a polynomial.
     pub ordinary: u32,
-}
-
-/// What the function of a kernel computes in; `faithful` is the same for all of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Precision {
-    /// `f64`, rounded at every step.
-    Double,
-    /// What `faithful` computes in: double-double, rounded once at the end, and integers with an endless exponent where
-    /// that over- or underflows.
-    DoubleDouble,
-    /// Balls of 256, 1,024 or 4,096 bits, in which every call bounds its own error and takes more bits until its results
-    /// are right: what keeps a promise that no proof covers. Slow.
-    Certified,
 }
 
 /// An input of a kernel.

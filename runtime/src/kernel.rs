@@ -2,11 +2,12 @@
 
 use core::fmt;
 
+#[cfg(feature = "mpfr")]
+use closedform_arith::Mpfr;
+use closedform_arith::Real;
+
 use crate::error::{CallError, LengthError};
 use crate::info::Info;
-#[cfg(feature = "mpfr")]
-use crate::mpfr::Mpfr;
-use crate::real::Real;
 use crate::shape::{checked, faithful, single, value};
 
 /// The program of a kernel of `N` inputs, `K` conditions and `M` results; implemented by `#[kernel]`.

@@ -1,4 +1,4 @@
-//! What a kernel needs when it runs: error-free arithmetic, a falling root iteration, metadata and errors.
+//! What a kernel needs when it runs: the shapes of its calls, metadata and errors.
 //!
 //! A kernel is a closed formula in one straight-line function. `#[kernel]` checks it and makes it available in every
 //! arithmetic and shape that callers ask for:
@@ -29,6 +29,8 @@
 //!
 //! Targets: all with floats that round once, as IEEE 754 demands; 32-bit x86 without SSE2 is refused.
 //!
+//! The arithmetics that kernels run in are those of `closedform-arith`.
+//!
 //! Stack: kernels never allocate and never recurse. Most calls need a kilobyte or two; one that ends in the arithmetic of
 //! last resort, and sums a slice exactly there, some 14 kB (the largest frames of a release build for x86-64: 6.8 kB and
 //! 4.7 kB), as any call of any kernel may.
@@ -45,40 +47,23 @@
 #[cfg(feature = "std")]
 extern crate std;
 
-mod ball;
-mod double;
 mod error;
-mod exact;
-mod float;
-mod guarded;
 mod info;
 mod kernel;
-mod measured;
-#[cfg(feature = "mpfr")]
-mod mpfr;
-mod plain;
-mod real;
-mod root;
 mod shape;
-mod soft;
-mod tier;
-mod wide;
 
+#[cfg(feature = "mpfr")]
+pub use closedform_arith::Mpfr;
+pub use closedform_arith::limits::{MAX_DEGREE, MAX_INPUTS};
+pub use closedform_arith::{DoubleDouble, Precision, Real, positive_root};
 pub use closedform_derive::kernel;
 pub use error::{CallError, DomainError, LengthError, RangeError, RangeReason, ValueError};
-pub use info::{Info, Input, MAX_INPUTS, Operations, Precision, ResultInfo};
+pub use info::{Info, Input, Operations, ResultInfo};
 pub use kernel::{Kernel, Program};
-#[cfg(feature = "mpfr")]
-pub use mpfr::Mpfr;
-pub use real::Real;
-pub use root::{MAX_DEGREE, positive_root};
-pub use wide::Wide;
 
-/// What expansions of `#[kernel]` call, and tools that interpret kernels instead; not for people.
+/// What expansions of `#[kernel]` call; not for people.
 #[doc(hidden)]
 pub mod __private {
     pub use crate::shape::{checked, faithful, quick, same_length, single, value};
-    pub use crate::tier::{
-        Answer, Fate, Rounded, Steps, certified as decide_certified, faithful as decide_faithfully, plain as decide,
-    };
+    pub use closedform_arith::Terms;
 }

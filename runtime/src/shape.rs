@@ -6,13 +6,12 @@
 use core::cell::Cell;
 use core::marker::PhantomData;
 
+use closedform_arith::tier::{self, Rounded, Steps};
+use closedform_arith::{Guarded, Plain, Precision, Real};
+
 use crate::error::{DomainError, LengthError, RangeError, ValueError};
-use crate::guarded::Guarded;
-use crate::info::{Info, Precision, ResultInfo};
+use crate::info::{Info, ResultInfo};
 use crate::kernel::Program;
-use crate::plain::Plain;
-use crate::real::Real;
-use crate::tier::{self, Rounded, Steps};
 
 /// The condition that comes before all others.
 const FINITE: &str = "every input is finite";

@@ -1,12 +1,13 @@
 //! The attribute `#[kernel(..)]`: what is known of a kernel besides its code.
 
+use closedform_arith::Precision;
 use proc_macro2::{Ident, Span, TokenStream};
 use syn::parse::Parser;
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Expr, ExprLit, Lit, LitStr, Meta, MetaList, Path, Token};
 
 use crate::error::{self, Errors};
-use crate::kernel::{self, Certificate, Output, Precision, ResultMeta};
+use crate::kernel::{self, Certificate, Output, ResultMeta};
 
 /// The attribute as written, before the results of the kernel are known.
 #[derive(Default)]

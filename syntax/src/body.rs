@@ -1,5 +1,6 @@
 //! Function bodies: `require!`, then `let`, then the result.
 
+use closedform_arith::limits::MAX_STEPS;
 use syn::parse::{Parse, ParseStream};
 use syn::{Expr, ExprMacro, ItemFn, LitStr, Local, LocalInit, Macro, Stmt, Token};
 
@@ -8,7 +9,6 @@ use crate::error::{self, Errors};
 use crate::expression::{Reader, refusal};
 use crate::input::Returns;
 use crate::kernel::{Let, Output, Require};
-use crate::limits::MAX_STEPS;
 use crate::output;
 use crate::pattern::{intended_names, plain_name};
 use crate::print::condition_text;

@@ -1,11 +1,11 @@
 //! Expressions: from Rust's to ours, refusing everything else by a message of its own.
 
+use closedform_arith::limits::MAX_DEGREE;
 use syn::{
     BinOp, Block, Expr, ExprCall, ExprIf, ExprLit, ExprMacro, ExprMethodCall, ExprPath, ExprUnary, Lit, LitFloat, Stmt,
     UnOp,
 };
 
-use crate::MAX_DEGREE;
 use crate::error::{self, Errors};
 use crate::kernel::{self, BinaryOp, Slice};
 use crate::scope::Scope;

@@ -1,11 +1,11 @@
 //! Signatures: inputs with their `#[input(..)]`, and what a kernel returns.
 
+use closedform_arith::limits::MAX_INPUTS;
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::punctuated::Punctuated;
 use syn::{Attribute, FnArg, LitFloat, Meta, Path, ReturnType, Signature, Token, Type};
 
-use crate::MAX_INPUTS;
 use crate::attribute::{items, text};
 use crate::error::{self, Errors};
 use crate::kernel::Input;

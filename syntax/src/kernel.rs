@@ -1,5 +1,6 @@
 //! A kernel as a tree, checked and with its names resolved.
 
+use closedform_arith::Precision;
 use proc_macro2::{Ident, Span};
 use std::fmt;
 use syn::{Attribute, Visibility};
@@ -15,7 +16,7 @@ pub struct Kernel {
     pub name: Ident,
     /// What is known of it besides its code.
     pub meta: Meta,
-    /// Its inputs; at least one, at most [`MAX_INPUTS`](crate::MAX_INPUTS).
+    /// Its inputs; at least one, at most [`MAX_INPUTS`](closedform_arith::limits::MAX_INPUTS).
     pub inputs: Vec<Input>,
     /// The conditions that inputs must meet, besides being finite.
     pub requires: Vec<Require>,
@@ -68,32 +69,6 @@ pub struct Certificate {
     pub text: String,
     /// Where it stands.
     pub place: Span,
-}
-
-/// What the function of a kernel computes in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Precision {
-    /// `f64`, rounded at every step.
-    #[default]
-    Double,
-    /// What `faithful` computes in, rounded once at the end.
-    DoubleDouble,
-    /// Balls of as many bits as a call turns out to need: it bounds its own error.
-    Certified,
-}
-
-impl Precision {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Double, Self::DoubleDouble, Self::Certified];
-
-    /// How the attribute names it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Double => "double",
-            Self::DoubleDouble => "double-double",
-            Self::Certified => "certified",
-        }
-    }
 }
 
 /// What is known of a result.
@@ -225,8 +200,8 @@ pub struct Slice {
     pub value: Box<Expr>,
     /// Its literals and names, each once.
     pub operands: Vec<Expr>,
-    /// Its terms as `closedform::Real::compensated` reads them: products of operands.
-    pub terms: Vec<u8>,
+    /// The compact form of its terms, products of operands.
+    pub(crate) terms: Vec<u8>,
     /// How much larger than this times the sum of its terms' magnitudes it must be in double-double to be right.
     pub threshold: f64,
 }

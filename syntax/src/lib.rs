@@ -7,7 +7,7 @@
 //! or underflows.
 //!
 //! This crate knows nothing of the runtime, which depends on it through the macro: arithmetic comes in by the trait
-//! [`Arithmetic`].
+//! [`Real`](closedform_arith::Real).
 
 mod attribute;
 mod body;
@@ -31,18 +31,19 @@ mod slice;
 mod unit;
 mod walk;
 
+pub use closedform_arith::Precision;
+
 pub use certificate::{RULES, certificate, certified};
 pub use file::{Source, parse_file, sources};
-pub use interpret::{Arithmetic, Violation, evaluate, violated};
+pub use interpret::{Violation, evaluate, violated};
 pub use kernel::{
-    BinaryOp, Comparison, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Precision, Require, ResultMeta,
-    Slice,
+    BinaryOp, Comparison, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Require, ResultMeta, Slice,
 };
-pub use limits::{MAX_HEIGHT, MAX_NESTING, check as check_limits};
+pub use limits::check as check_limits;
 pub use magnitude::ordinary;
 pub use operations::{Operations, operations, operations_of};
 pub use print::{condition_text, expression_text};
-pub use slice::{MAX_FACTORS, SliceArithmetic, fold_compensated, fold_residual};
+pub use slice::{Operand, Operation, Part, Wide};
 pub use unit::{BASES, Dimension, UnitError};
 
 use proc_macro2::TokenStream;
@@ -50,12 +51,6 @@ use syn::{ItemFn, Result};
 
 use error::Errors;
 use scope::Scope;
-
-/// The largest number of inputs: errors at run time carry the values of all of them in a fixed array.
-pub const MAX_INPUTS: usize = 64;
-
-/// The largest degree of a `positive_root`: the runtime keeps its coefficients in a fixed array.
-pub const MAX_DEGREE: usize = 32;
 
 /// The kernel written as the function `item` under `#[kernel(attribute)]`, whose tokens keep the limits.
 ///

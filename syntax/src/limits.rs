@@ -1,22 +1,14 @@
-//! Limits: how deep and how long a source may be, found on its tokens before anything recurses into it.
+//! How deep and how long a source is, found on its tokens before anything recurses into it.
 //!
 //! The parser below us, and every walk over a tree, needs stack for each level of what it reads. The tokens are
 //! counted without recursion, and rather too high than too low: no tree is higher than its count.
 
+use closedform_arith::limits::{MAX_HEIGHT, MAX_NESTING};
 use proc_macro2::token_stream::IntoIter;
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::{Error, Result};
 
 use crate::error;
-
-/// How many brackets, prefix operators and keywords may stand inside each other.
-pub const MAX_NESTING: usize = 256;
-
-/// How high a tree may be: mostly, how many terms a sum may have.
-pub const MAX_HEIGHT: usize = 1024;
-
-/// How many steps a kernel may have: the compiler recurses into them.
-pub const MAX_STEPS: usize = 1024;
 
 /// Keywords after which an expression, a type or a block goes on one level deeper.
 const DEEPER: [&str; 18] = [

@@ -9,7 +9,9 @@ mod bounds;
 mod signs;
 mod slice;
 
-use crate::kernel::{BinaryOp, Condition, Expr, Kernel, Precision};
+use closedform_arith::Precision;
+
+use crate::kernel::{BinaryOp, Condition, Expr, Kernel};
 
 use bounds::Bounds;
 use signs::Signs;

@@ -1,122 +1,113 @@
 //! Slices, what `compensated!` and `residual!` take: which double-double operation each step is, and its exact terms.
 //!
-//! Interpreter and macro both fold slices by these functions, so they cannot disagree.
+//! Interpreter and macro both read slices by these functions, so they cannot disagree.
+
+use closedform_arith::error_model::compensated;
+use closedform_arith::limits::{MAX_FACTORS, MAX_OPERANDS, MAX_TERMS};
+use closedform_arith::{Term, Terms};
 
 use crate::error;
 use crate::kernel::{BinaryOp, Expr, Slice};
 
-/// The operations that slices are made of, on numbers or on what stands for them.
-pub trait SliceArithmetic {
-    /// A number; as an operand it counts as exact.
-    type Value;
+/// A part of a slice, or all of it.
+#[derive(Clone, Copy, Debug)]
+pub enum Part<'e> {
+    /// A literal or a name, or the negative of one: it counts as exact.
+    Operand(Operand<'e>),
     /// A number in double-double.
-    type Wide;
-
-    /// `-a`
-    fn neg(&self, a: &Self::Value) -> Self::Value;
-    /// `a + b`, error-free.
-    fn two_sum(&self, a: &Self::Value, b: &Self::Value) -> Self::Wide;
-    /// `a * b`, error-free.
-    fn two_product(&self, a: &Self::Value, b: &Self::Value) -> Self::Wide;
-    /// `-a`
-    fn wide_neg(&self, a: &Self::Wide) -> Self::Wide;
-    /// `a + b`
-    fn wide_add_exact(&self, a: &Self::Wide, b: &Self::Value) -> Self::Wide;
-    /// `a + b`
-    fn wide_add(&self, a: &Self::Wide, b: &Self::Wide) -> Self::Wide;
-    /// `a * b`
-    fn wide_mul_exact(&self, a: &Self::Wide, b: &Self::Value) -> Self::Wide;
-    /// `a * b`
-    fn wide_mul(&self, a: &Self::Wide, b: &Self::Wide) -> Self::Wide;
-    /// `a`, rounded once; where it is not larger than the slice's threshold, the slice of these operands, exactly.
-    fn compensated(&self, a: &Self::Wide, slice: &Slice, operands: &[Self::Value]) -> Self::Value;
-    /// `a`, rounded once.
-    fn residual(&self, a: &Self::Wide) -> Self::Value;
+    Wide(Wide<'e>),
 }
 
-/// The value of a `compensated!` slice, `leaf` being that of its literals and names.
-pub fn fold_compensated<A: SliceArithmetic>(
-    arithmetic: &A,
-    slice: &Slice,
-    leaf: &dyn Fn(&Expr) -> A::Value,
-) -> A::Value {
-    match fold(arithmetic, &slice.value, leaf) {
-        Folded::Exact(value) => value,
-        Folded::Wide(wide) => {
-            let operands: Vec<A::Value> = slice.operands.iter().map(leaf).collect();
-            arithmetic.compensated(&wide, slice, &operands)
+/// A literal or a name.
+#[derive(Clone, Copy, Debug)]
+pub struct Operand<'e> {
+    /// The literal or the name.
+    pub leaf: &'e Expr,
+    /// Whether its negative is meant.
+    pub negative: bool,
+}
+
+/// A number in double-double: a sum or a product.
+#[derive(Clone, Copy, Debug)]
+pub struct Wide<'e> {
+    op: BinaryOp,
+    left: &'e Expr,
+    right: &'e Expr,
+    /// Whether the negative of what the operation makes is meant.
+    pub negative: bool,
+}
+
+/// The operation that makes a number in double-double: the cheapest one that the kinds of its operands allow.
+#[derive(Clone, Copy, Debug)]
+pub enum Operation<'e> {
+    /// The sum of two operands, error-free.
+    TwoSum(Operand<'e>, Operand<'e>),
+    /// The product of two operands, error-free.
+    TwoProduct(Operand<'e>, Operand<'e>),
+    /// The sum of a number in double-double and an operand.
+    AddExact(Wide<'e>, Operand<'e>),
+    /// The sum of two numbers in double-double.
+    Add(Wide<'e>, Wide<'e>),
+    /// The product of a number in double-double and an operand.
+    MulExact(Wide<'e>, Operand<'e>),
+    /// The product of two numbers in double-double.
+    Mul(Wide<'e>, Wide<'e>),
+}
+
+impl<'e> Part<'e> {
+    /// What an expression is as a part of a slice, or as all of it.
+    pub fn of(mut expr: &'e Expr) -> Self {
+        let mut negative = false;
+        while let Expr::Neg(inner) = expr {
+            (expr, negative) = (inner, !negative);
+        }
+        match expr {
+            Expr::Binary { op, left, right } => Part::Wide(Wide { op: *op, left, right, negative }),
+            leaf => Part::Operand(Operand { leaf, negative }),
+        }
+    }
+
+    fn negated(self) -> Self {
+        match self {
+            Part::Operand(operand) => Part::Operand(Operand { negative: !operand.negative, ..operand }),
+            Part::Wide(wide) => Part::Wide(Wide { negative: !wide.negative, ..wide }),
         }
     }
 }
 
-/// The value of a `residual!` slice.
-pub fn fold_residual<A: SliceArithmetic>(arithmetic: &A, slice: &Expr, leaf: &dyn Fn(&Expr) -> A::Value) -> A::Value {
-    match fold(arithmetic, slice, leaf) {
-        Folded::Exact(value) => value,
-        Folded::Wide(wide) => arithmetic.residual(&wide),
-    }
-}
-
-/// A part of a slice.
-enum Folded<A: SliceArithmetic> {
-    /// A literal, a name, or one of them negated.
-    Exact(A::Value),
-    /// Anything else.
-    Wide(A::Wide),
-}
-
-fn fold<A: SliceArithmetic>(arithmetic: &A, slice: &Expr, leaf: &dyn Fn(&Expr) -> A::Value) -> Folded<A> {
-    let part = |inner: &Expr| fold(arithmetic, inner, leaf);
-    match slice {
-        Expr::Neg(inner) => negated(arithmetic, part(inner)),
-        Expr::Binary { op: BinaryOp::Mul, left, right } => Folded::Wide(product(arithmetic, part(left), part(right))),
-        Expr::Binary { op: BinaryOp::Sub, left, right } => {
-            Folded::Wide(sum(arithmetic, part(left), negated(arithmetic, part(right))))
+impl<'e> Wide<'e> {
+    /// What makes the number, but for its sign.
+    pub fn operation(self) -> Operation<'e> {
+        let (left, right) = (Part::of(self.left), Part::of(self.right));
+        match self.op {
+            BinaryOp::Mul => Operation::product(left, right),
+            BinaryOp::Sub => Operation::sum(left, right.negated()),
+            BinaryOp::Add | BinaryOp::Div => Operation::sum(left, right),
         }
-        Expr::Binary { left, right, .. } => Folded::Wide(sum(arithmetic, part(left), part(right))),
-        exact => Folded::Exact(leaf(exact)),
     }
 }
 
-fn negated<A: SliceArithmetic>(arithmetic: &A, part: Folded<A>) -> Folded<A> {
-    match part {
-        Folded::Exact(value) => Folded::Exact(arithmetic.neg(&value)),
-        Folded::Wide(wide) => Folded::Wide(arithmetic.wide_neg(&wide)),
-    }
-}
-
-fn sum<A: SliceArithmetic>(arithmetic: &A, left: Folded<A>, right: Folded<A>) -> A::Wide {
-    match (left, right) {
-        (Folded::Exact(a), Folded::Exact(b)) => arithmetic.two_sum(&a, &b),
-        (Folded::Wide(wide), Folded::Exact(exact)) | (Folded::Exact(exact), Folded::Wide(wide)) => {
-            arithmetic.wide_add_exact(&wide, &exact)
+impl<'e> Operation<'e> {
+    fn sum(left: Part<'e>, right: Part<'e>) -> Self {
+        match (left, right) {
+            (Part::Operand(a), Part::Operand(b)) => Self::TwoSum(a, b),
+            (Part::Wide(wide), Part::Operand(exact)) | (Part::Operand(exact), Part::Wide(wide)) => {
+                Self::AddExact(wide, exact)
+            }
+            (Part::Wide(a), Part::Wide(b)) => Self::Add(a, b),
         }
-        (Folded::Wide(a), Folded::Wide(b)) => arithmetic.wide_add(&a, &b),
     }
-}
 
-fn product<A: SliceArithmetic>(arithmetic: &A, left: Folded<A>, right: Folded<A>) -> A::Wide {
-    match (left, right) {
-        (Folded::Exact(a), Folded::Exact(b)) => arithmetic.two_product(&a, &b),
-        (Folded::Wide(wide), Folded::Exact(exact)) | (Folded::Exact(exact), Folded::Wide(wide)) => {
-            arithmetic.wide_mul_exact(&wide, &exact)
+    fn product(left: Part<'e>, right: Part<'e>) -> Self {
+        match (left, right) {
+            (Part::Operand(a), Part::Operand(b)) => Self::TwoProduct(a, b),
+            (Part::Wide(wide), Part::Operand(exact)) | (Part::Operand(exact), Part::Wide(wide)) => {
+                Self::MulExact(wide, exact)
+            }
+            (Part::Wide(a), Part::Wide(b)) => Self::Mul(a, b),
         }
-        (Folded::Wide(a), Folded::Wide(b)) => arithmetic.wide_mul(&a, &b),
     }
 }
-
-/// The most factors of a term of a `compensated!` slice.
-pub const MAX_FACTORS: usize = 16;
-
-/// The most terms.
-const MAX_TERMS: usize = 1 << 14;
-
-/// The most operands.
-const MAX_OPERANDS: usize = 255;
-
-/// How much larger than its error before rounding a slice has to be, in units of 2^-53: with one percent for the
-/// roundings of sizes, a settled slice is right to 2^-53/1000 before it is rounded.
-const MARGIN: f64 = 1010.0;
 
 impl Slice {
     /// A slice, and what its exact evaluation needs; its product of sums is expanded.
@@ -126,14 +117,19 @@ impl Slice {
     /// When it has too many terms, factors or operands.
     pub fn new(value: Expr) -> Result<Self, &'static str> {
         let mut operands = Vec::new();
-        let sum = expand(&value, &mut operands)?;
-        let mut terms = Vec::new();
-        for Product { negative, factors } in sum {
-            terms.push(factors.len() as u8 | if negative { 0x80 } else { 0 });
-            terms.extend(factors);
-        }
-        let threshold = error(&value).units.max(1.0) * MARGIN / (1_u64 << 53) as f64;
+        let terms = expand(&value, &mut operands)?.iter().flat_map(Product::compact).collect();
+        let threshold = compensated::threshold(error(&value).units);
         Ok(Slice { value: value.into(), operands, terms, threshold })
+    }
+
+    /// Its terms, as products of its operands.
+    pub fn terms(&self) -> Terms<'_> {
+        Terms::of(&self.terms)
+    }
+
+    /// The compact form of its terms, for code that is to hold them.
+    pub fn compact_terms(&self) -> &[u8] {
+        &self.terms
     }
 }
 
@@ -142,6 +138,12 @@ impl Slice {
 struct Product {
     negative: bool,
     factors: Vec<u8>,
+}
+
+impl Product {
+    fn compact(&self) -> Vec<u8> {
+        Term { negative: self.negative, factors: &self.factors }.compact().collect()
+    }
 }
 
 fn expand(expr: &Expr, operands: &mut Vec<Expr>) -> Result<Vec<Product>, &'static str> {
@@ -198,8 +200,7 @@ struct PartError {
     units: f64,
 }
 
-/// Counts the theorems that `closedform`'s `Wide` and `Measured` state; each is rounded up to a whole number, which
-/// covers terms of higher order and, in products, what underflows.
+/// Counts what the operations of a slice add, by the error model.
 fn error(expr: &Expr) -> PartError {
     let wide = |units| PartError { exact: false, units };
     match expr {
@@ -208,12 +209,12 @@ fn error(expr: &Expr) -> PartError {
             let (left, right) = (error(left), error(right));
             let (larger, both) = (left.units.max(right.units), left.units + right.units);
             match (op, left.exact, right.exact) {
-                (BinaryOp::Mul, true, true) => wide(1.0),
-                (BinaryOp::Mul, false, false) => wide(both + 9.0),
-                (BinaryOp::Mul, _, _) => wide(both + 3.0),
-                (_, true, true) => wide(0.0),
-                (_, false, false) => wide(larger + 4.0),
-                (_, _, _) => wide(larger + 3.0),
+                (BinaryOp::Mul, true, true) => wide(compensated::PRODUCT_OF_OPERANDS),
+                (BinaryOp::Mul, false, false) => wide(both + compensated::PRODUCT),
+                (BinaryOp::Mul, _, _) => wide(both + compensated::PRODUCT_WITH_OPERAND),
+                (_, true, true) => wide(compensated::SUM_OF_OPERANDS),
+                (_, false, false) => wide(larger + compensated::SUM),
+                (_, _, _) => wide(larger + compensated::SUM_WITH_OPERAND),
             }
         }
         Expr::Literal { .. } | Expr::Name(_) => PartError { exact: true, units: 0.0 },

@@ -1,6 +1,7 @@
 //! Limits: what is just within them is read on a small stack, and what is beyond is refused by name, however deep.
 
-use closedform_syntax::{MAX_HEIGHT, MAX_NESTING, parse_file, sources};
+use closedform_arith::limits::{MAX_HEIGHT, MAX_NESTING};
+use closedform_syntax::{parse_file, sources};
 
 fn kernel(body: &str) -> String {
     format!("#[kernel] fn f(x: f64) -> f64 {{ {body} }}")

@@ -30,11 +30,6 @@ const OFF: i64 = 1 << 16;
 /// How much larger than the coefficients their own terms may be.
 const TERMS: i64 = 1 << 20;
 
-/// What is left before the last rounding, in units, at most.
-fn left() -> BigRational {
-    BigRational::new(1.into(), 100.into())
-}
-
 /// The parts of `x - x*(remainder/slope)`.
 struct Parts<'k> {
     start: &'k Expr,
@@ -48,7 +43,7 @@ pub fn of<'k>(counter: &Counter<'k>, expr: &'k Expr, case: &Case, step: &str) ->
     let parts = Parts::of(counter, expr)?;
     let proved = Proof { counter, parts, case, step }.proved();
     Some(proved.and_then(|cause| match cause {
-        None => Ok(counter.rounding() + left()),
+        None => Ok(counter.rounding() + trusted::correction()),
         Some(cause) => counter.refuse(step, Reason::Correction { correction: text(expr), cause }),
     }))
 }

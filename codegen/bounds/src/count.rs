@@ -40,7 +40,7 @@ impl<'k> Counter<'k> {
     /// The count of a step whose operands are exact.
     pub(crate) fn rounding(&self) -> BigRational {
         match self.kernel.meta.precision {
-            Precision::Double => integer(1),
+            Precision::Double => trusted::rounding(),
             Precision::DoubleDouble | Precision::Certified => trusted::double_double_step(),
         }
     }
@@ -49,7 +49,7 @@ impl<'k> Counter<'k> {
     pub(crate) fn last_rounding(&self) -> BigRational {
         match self.kernel.meta.precision {
             Precision::Double => BigRational::zero(),
-            Precision::DoubleDouble | Precision::Certified => integer(1),
+            Precision::DoubleDouble | Precision::Certified => trusted::rounding(),
         }
     }
 

@@ -1,45 +1,58 @@
-//! What the runtime promises of its operations.
+//! What the runtime promises of its operations: the constants of the error model as exact counts.
 
+use closedform_arith::error_model::{self, Units};
 use num_rational::BigRational;
 
-/// The count of a `compensated!` slice of exact operands: it is right to a thousandth of a unit, and rounded once.
+/// The count of a step in `f64`.
+#[must_use]
+pub fn rounding() -> BigRational {
+    exact(error_model::ROUNDING)
+}
+
+/// The count of a `compensated!` slice of exact operands.
 #[must_use]
 pub fn compensated() -> BigRational {
-    thousandths(1001)
+    exact(error_model::COMPENSATED)
 }
 
 /// The count of a `positive_root` with respect to the root of its coefficients as they are.
 #[must_use]
 pub fn positive_root() -> BigRational {
-    thousandths(1010)
+    exact(error_model::POSITIVE_ROOT)
+}
+
+/// What a proved Newton step onto a root leaves before it is rounded.
+#[must_use]
+pub fn correction() -> BigRational {
+    exact(error_model::CORRECTION)
 }
 
 /// How many units of 2^-106 of the sum of its terms' magnitudes one operation in double-double can add to the error of
 /// a `residual!`.
 #[must_use]
 pub fn double_double_operation() -> BigRational {
-    thousandths(10_000)
+    exact(error_model::RESIDUAL_OPERATION)
 }
 
-/// The count of a step in double-double: its error is at most 15 units of 2^-106 and terms of higher order.
+/// The count of a step in double-double.
 #[must_use]
 pub fn double_double_step() -> BigRational {
-    BigRational::new(1.into(), 1_000_000.into())
+    exact(error_model::DOUBLE_DOUBLE_STEP)
 }
 
 /// The count of a `compensated!` slice of exact operands whose value stays in double-double.
 #[must_use]
 pub fn compensated_in_double_double() -> BigRational {
-    thousandths(1)
+    exact(error_model::COMPENSATED_IN_DOUBLE_DOUBLE)
 }
 
 /// The count of a result in certified arithmetic, whatever its program: each call bounds the error that it has made, and
-/// does not return before that is below 2^-60 of the result, which is then rounded.
+/// does not return before that is small enough.
 #[must_use]
 pub fn certified() -> BigRational {
-    thousandths(1008)
+    exact(error_model::CERTIFIED)
 }
 
-fn thousandths(value: i64) -> BigRational {
-    BigRational::new(value.into(), 1000.into())
+fn exact(units: Units) -> BigRational {
+    BigRational::new(units.numerator.into(), units.denominator.into())
 }

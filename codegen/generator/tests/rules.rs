@@ -167,11 +167,6 @@ fn references(family: &Family) -> Vec<Definition> {
     family.results().map(|(.., reference)| reference.clone()).collect()
 }
 
-closedform_syntax::real_arithmetic! {
-    /// Any arithmetic of the runtime, as the interpreter takes it.
-    struct By;
-}
-
 fn points(family: &Family) -> Vec<Vec<f64>> {
     let contract = &family.contract.kernels[0];
     let contract = &family.completed(contract);
@@ -208,8 +203,8 @@ fn has_the_values(kernel: &Kernel, text: &str, family: &Family) -> Result<usize,
     let mut checked = 0;
     for point in points(family) {
         let numbers: Vec<Mpfr> = point.iter().map(|value| Mpfr::new(BITS, *value)).collect();
-        let steps = evaluate(kernel, &By(Mpfr::new(BITS, 0.0)), &numbers);
-        let rounded = evaluate(kernel, &By(0.0), &point);
+        let steps = evaluate(kernel, &numbers);
+        let rounded = evaluate(kernel, &point);
         for (at, reference) in references(family).iter().enumerate() {
             let Some(exact) = exact(reference, &point) else { continue };
             // cancelled to nothing: the digits that are left are none

@@ -14,11 +14,6 @@ pub use ulp::{ulp_error, ulp_text};
 /// Bits of a reference that are right: enough for errors far below an ulp.
 pub const REFERENCE_BITS: u32 = 53 + 64;
 
-closedform_syntax::real_arithmetic! {
-    /// The arithmetic of compiled kernels, as the interpreter takes it.
-    pub struct Compiled;
-}
-
 /// The point at which a result is farthest from its reference.
 #[derive(Clone, Debug)]
 pub struct Worst {

@@ -1,8 +1,8 @@
 //! Hunting: a search that climbs towards the inputs at which the results of a kernel are worst.
 
-mod accurate;
 mod budget;
 mod climb;
+mod estimate;
 mod moves;
 mod prey;
 mod starts;

@@ -305,16 +305,10 @@ fn kernel_in(domain: &[&str], formula: &str) -> Kernel {
     kernel_of(&text.1)
 }
 
-closedform_syntax::real_arithmetic! {
-    /// MPFR, as the interpreter takes it.
-    struct Exact;
-}
-
 /// Whether a kernel lets in a point, decided with more bits than its conditions have.
 fn lets_in(kernel: &Kernel, point: &[f64]) -> bool {
-    let number = |value: f64| Mpfr::new(2000, value);
-    let numbers: Vec<Mpfr> = point.iter().map(|value| number(*value)).collect();
-    violated(kernel, &Exact(number(0.0)), &numbers).is_none()
+    let numbers: Vec<Mpfr> = point.iter().map(|value| Mpfr::new(2000, *value)).collect();
+    violated(kernel, &numbers).is_none()
 }
 
 /// A condition, and points at which it holds, and at which it does not.

@@ -1,5 +1,7 @@
 //! What is known of a value: bounds of its magnitude, what it is a multiple of, its sign.
 
+use closedform_arith::range::STEP;
+
 /// Bits of a number after its leading one.
 const FRACTION: i64 = f64::MANTISSA_DIGITS as i64 - 1;
 
@@ -7,9 +9,6 @@ const FRACTION: i64 = f64::MANTISSA_DIGITS as i64 - 1;
 const NORMAL: i64 = f64::MIN_EXP as i64 - 1;
 const LARGEST: i64 = f64::MAX_EXP as i64 - 1;
 pub(super) const LEAST: i64 = NORMAL - FRACTION;
-
-/// The exponent of the magnitudes that steps in double-double are tested to lie between.
-const TESTED: i64 = 450;
 
 /// A value that is 0, if it may be `zero`, or of a magnitude from 2^low to 2^high; and a multiple of 2^grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -137,10 +136,10 @@ impl Bounds {
         (self.low >= NORMAL).then_some(self)?.finite()
     }
 
-    /// The leading part of a number in double-double, tested to be 0 or of a magnitude from 2^-450 to 2^450. What it is a multiple
-    /// of depends on its low part too.
+    /// The leading part of a number in double-double, tested to be 0 or of a magnitude in range. What it is a
+    /// multiple of depends on its low part too.
     pub(super) fn tested(self) -> Self {
-        let (low, high) = (-TESTED, self.high.min(TESTED));
+        let (low, high) = (STEP.0, self.high.min(STEP.1));
         Bounds { zero: true, low, high, grid: low - FRACTION, ..self }
     }
 

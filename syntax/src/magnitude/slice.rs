@@ -1,5 +1,7 @@
 //! Slices: the leading parts of their double-double numbers, and the sum of the magnitudes of their terms.
 
+use closedform_arith::range;
+
 use crate::kernel::{BinaryOp, Expr, Slice};
 
 use super::bounds::{Bounds, LEAST};
@@ -7,8 +9,8 @@ use super::signs::Signs;
 
 /// Magnitudes between which a product in double-double is error-free, and that of a factor; a bit off the runtime's, since
 /// numbers in double-double are off by less than that from what they stand for.
-const PRODUCTS: (i64, i64) = (-968, 1021);
-const FACTOR: i64 = 995;
+const PRODUCTS: (i64, i64) = (range::PRODUCT.0 + 1, range::PRODUCT.1 - 1);
+const FACTOR: i64 = range::FACTOR - 1;
 
 /// A part of a slice.
 #[derive(Clone, Copy)]

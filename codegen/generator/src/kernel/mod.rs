@@ -25,6 +25,7 @@ use crate::stable::candidate::Candidate;
 use crate::stable::rule::Rule;
 use crate::stable::solvers::Equation;
 use crate::stable::strategy::{self, Wanted};
+use closedform_arith::error_model::CERTIFIED_ULP;
 use closedform_maxima::{Definition, to_latex};
 use closedform_project::contract::{Contract, KernelContract, ResultContract};
 use closedform_project::expression::{Expr, lower};
@@ -62,7 +63,7 @@ pub fn make_as_written(
     outputs.iter().for_each(|&output| graph.mark(output, strategy::AS_WRITTEN.name));
     let requires = conditions.into_iter().zip(kernel.domain.texts());
     let requires = requires.map(|(condition, text)| RequireText::new(condition, text)).collect();
-    let results = kernel.results.iter().map(|result| result_text(result, CERTIFIED)).collect();
+    let results = kernel.results.iter().map(|result| result_text(result, CERTIFIED_ULP)).collect();
     let rules = vec![rule_text(strategy::AS_WRITTEN)];
     let made = Made { requires, outputs, results, rules, precision: Precision::Certified };
     Ok(KernelText { certified_because: Some(because), ..text(contract, kernel, references, graph, made) })
@@ -210,9 +211,6 @@ fn results(kernel: &KernelContract, candidate: &Candidate) -> Result<Vec<ResultT
 fn result_text(result: &ResultContract, bound: f64) -> ResultText {
     ResultText { name: result.name.clone(), worksheet: result.worksheet.clone(), unit: result.unit.clone(), bound }
 }
-
-/// What every certified call keeps, in ulp: it is off by less than 2^-60 before it is rounded.
-const CERTIFIED: f64 = 0.51;
 
 /// A relative error in units of 2^-53 as a bound in ulp, rounded up.
 ///

@@ -1,6 +1,7 @@
 //! The graph of steps: equal steps are one node, and each knows its sign and a bound of its relative error.
 
 use crate::field::Sign;
+use closedform_arith::error_model;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -124,14 +125,13 @@ pub struct Graph {
 }
 
 /// What a rounding to nearest adds to a relative error, in units of 2^-53.
-const ROUNDING: f64 = 1.0;
+const ROUNDING: f64 = error_model::ROUNDING.to_f64();
 
 /// The power of two by which an integer beyond all literals is divided.
 const STEP_OF_TWOS: usize = 512;
 
-/// How far a `compensated!` slice may be off, in units of 2^-53: `closedform-syntax` sets its threshold so that it is
-/// right to a thousandth before it is rounded.
-const COMPENSATED: f64 = 1.0 + 0.001;
+/// How far a `compensated!` slice may be off, in units of 2^-53.
+const COMPENSATED: f64 = error_model::COMPENSATED.to_f64();
 
 impl Graph {
     /// What a node does.

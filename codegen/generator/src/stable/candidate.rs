@@ -1,6 +1,7 @@
 //! Candidates: programs for the same results, which are made beside each other and compared by their errors.
 
 use crate::program::{Graph, Node, Op, rules_reached};
+use closedform_arith::error_model;
 use closedform_syntax::Precision;
 use std::collections::{BTreeSet, HashMap};
 
@@ -15,12 +16,11 @@ pub struct Candidate {
     pub precision: Precision,
 }
 
-/// What a step in double-double adds to a relative error, in units of 2^-53: 15 * 2^-53, rounded up with all terms of
-/// higher order.
-const STEP: f64 = 1e-6;
+/// What a step in double-double adds to a relative error, in units of 2^-53.
+const STEP: f64 = error_model::DOUBLE_DOUBLE_STEP.to_f64();
 
 /// How far a `compensated!` slice may be off that is not rounded, in units of 2^-53.
-const COMPENSATED: f64 = 0.001;
+const COMPENSATED: f64 = error_model::COMPENSATED_IN_DOUBLE_DOUBLE.to_f64();
 
 impl Candidate {
     /// A program in `f64`.
@@ -53,7 +53,7 @@ impl Candidate {
 
 /// The relative error of a result in units of 2^-53 when its steps are taken in double-double, and it is rounded.
 fn error_in_double_double(graph: &Graph, result: Node) -> f64 {
-    error_of_step(graph, result, &mut HashMap::new()) + 1.0
+    error_of_step(graph, result, &mut HashMap::new()) + error_model::ROUNDING.to_f64()
 }
 
 fn error_of_step(graph: &Graph, node: Node, known: &mut HashMap<Node, f64>) -> f64 {

@@ -1,10 +1,8 @@
-//! What a kernel answers, interpreted: the runtime's own tiers run its tree instead of its compiled program.
+//! What a kernel answers, interpreted: the tiers of calls run its tree instead of its compiled program.
 
-use closedform::__private::{Answer, Fate, Rounded, Steps, decide, decide_certified, decide_faithfully};
-use closedform::Real;
+use closedform_arith::Real;
+use closedform_arith::tier::{self, Answer, Fate, Rounded, Steps};
 use closedform_syntax::{Kernel, Precision, Violation, evaluate, violated};
-
-use super::Compiled;
 
 /// A kernel at a point.
 struct Interpreted<'a> {
@@ -13,16 +11,15 @@ struct Interpreted<'a> {
 }
 
 impl Interpreted<'_> {
-    fn numbers<R: Real>(&self, number: impl Fn(f64) -> R) -> (Compiled<R>, Vec<R>) {
-        let numbers = self.point.iter().map(|value| number(*value)).collect();
-        (Compiled(number(0.0)), numbers)
+    fn numbers<R: Real>(&self, number: impl Fn(f64) -> R) -> Vec<R> {
+        self.point.iter().map(|value| number(*value)).collect()
     }
 
     fn answer(&self) -> Answer<Self> {
         match self.kernel.meta.precision {
-            Precision::Double => decide(self),
-            Precision::DoubleDouble => decide_faithfully(self),
-            Precision::Certified => decide_certified(self),
+            Precision::Double => tier::plain(self),
+            Precision::DoubleDouble => tier::faithful(self),
+            Precision::Certified => tier::certified(self),
         }
     }
 }
@@ -31,8 +28,7 @@ impl Steps for Interpreted<'_> {
     type Results<T> = Vec<T>;
 
     fn violated<R: Real>(&self, number: impl Fn(f64) -> R) -> Option<usize> {
-        let (arithmetic, numbers) = self.numbers(number);
-        match violated(self.kernel, &arithmetic, &numbers)? {
+        match violated(self.kernel, &self.numbers(number))? {
             Violation::Require(position) => Some(position),
             // Inputs are finite, and no number in these arithmetics is infinite.
             Violation::NotFinite(_) => None,
@@ -40,8 +36,7 @@ impl Steps for Interpreted<'_> {
     }
 
     fn results<R: Real, T>(&self, number: impl Fn(f64) -> R, end: impl Fn(R) -> T) -> Vec<T> {
-        let (arithmetic, numbers) = self.numbers(number);
-        evaluate(self.kernel, &arithmetic, &numbers).into_iter().map(end).collect()
+        evaluate(self.kernel, &self.numbers(number)).into_iter().map(end).collect()
     }
 }
 

@@ -1,10 +1,9 @@
 //! What is hunted: one kernel, its errors estimated fast and confirmed by its reference.
 
-use closedform::{Mpfr, Wide};
-use closedform_syntax::{Kernel, Precision, evaluate};
+use closedform_syntax::{Kernel, Precision};
 
-use super::accurate::{Accurate, distance, split};
-use crate::accuracy::{Compiled, Measurement, REFERENCE_BITS, Reference, ValueError, Worst, covers, measure, results};
+use super::estimate::{distance, in_double_double, in_mpfr};
+use crate::accuracy::{Measurement, REFERENCE_BITS, Reference, ValueError, Worst, covers, measure, results};
 use closedform_project::contract::Input;
 use closedform_project::domain::Domain;
 
@@ -33,25 +32,11 @@ impl Prey<'_> {
     pub(super) fn estimate(&self, result: usize, point: &[f64]) -> Option<f64> {
         let got = *results(self.kernel, point).ok()?.get(result)?;
         let exact = match self.kernel.meta.precision {
-            Precision::Double => self.in_double_double(result, point),
-            Precision::DoubleDouble => self.in_mpfr(result, point, 2 * REFERENCE_BITS),
-            Precision::Certified => self.in_mpfr(result, point, CERTIFIED_BITS),
+            Precision::Double => in_double_double(self.kernel, result, point),
+            Precision::DoubleDouble => in_mpfr(self.kernel, result, point, 2 * REFERENCE_BITS),
+            Precision::Certified => in_mpfr(self.kernel, result, point, CERTIFIED_BITS),
         }?;
         exact.low().is_finite().then(|| distance(got, exact))
-    }
-
-    fn in_double_double(&self, result: usize, point: &[f64]) -> Option<Wide> {
-        let wide: Vec<_> = point.iter().map(|value| (*value).into()).collect();
-        let arithmetic = Accurate::default();
-        let exact = *evaluate(self.kernel, &arithmetic, &wide).get(result)?;
-        (!arithmetic.left()).then_some(exact)
-    }
-
-    /// What a kernel that computes in double-double itself is compared with.
-    fn in_mpfr(&self, result: usize, point: &[f64], bits: u32) -> Option<Wide> {
-        let precise: Vec<_> = point.iter().map(|value| Mpfr::new(bits, *value)).collect();
-        let exact = evaluate(self.kernel, &Compiled(Mpfr::new(bits, 0.0)), &precise);
-        exact.get(result).map(|exact| split(&exact.0))
     }
 
     /// Whether the bound covers the point: it is inside the domain, exactly, and nothing over- or underflows.

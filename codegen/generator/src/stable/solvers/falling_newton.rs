@@ -7,6 +7,7 @@ use crate::program::Node;
 use crate::stable::builder::Builder;
 use crate::stable::forms::wide;
 use crate::stable::rule::Rule;
+use closedform_arith::error_model;
 
 /// The rule.
 pub const RULE: Rule = Rule {
@@ -40,9 +41,8 @@ pub fn steps(builder: &mut Builder, equation: &Equation) -> Result<Node, RootErr
     Ok(builder.graph.with_error(root, Sign::POSITIVE, CORRECTED))
 }
 
-/// The relative error after the correction, in units of 2^-53: the subtraction's rounding, and a correction of at most
-/// some hundred units that is itself right to a few units in 2^-40.
-const CORRECTED: f64 = 1.0 + 0.01;
+/// The relative error after the correction, in units of 2^-53.
+const CORRECTED: f64 = error_model::CORRECTED_ROOT.to_f64();
 
 /// The polynomial at the iterate. Powers of the iterate cancel by no more than double-double holds, since the root is well
 /// conditioned; the terms of one coefficient may cancel by more.

@@ -1,6 +1,6 @@
 //! How many digits a formula keeps: the derived one as it stands and the kernel, against double the precision.
 
-use closedform::Wide;
+use closedform::DoubleDouble;
 use closedform_kernels::turnaround::t_in;
 use closedform_motion::plot::Series;
 
@@ -55,39 +55,39 @@ fn by_kernel(case: Case) -> f64 {
 /// acceleration have 14 digits of 2 at most, so that all products of them are exact.
 fn exact(Case { t_out: t, t_edge: e, a2_max: a, d2_step: d }: Case) -> (f64, f64) {
     let ramps = a * t * (4.0 * t + 3.0 * e);
-    let numerator = add(pair(Wide::two_product(6.0, d)), (-ramps, 0.0));
+    let numerator = add(pair(DoubleDouble::two_product(6.0, d)), (-ramps, 0.0));
     let sum = 2.0 * t + 3.0 * e;
-    let radicand = add(pair(Wide::two_product(a, a * sum * sum)), scale(48.0 * a, (d, 0.0)));
+    let radicand = add(pair(DoubleDouble::two_product(a, a * sum * sum)), scale(48.0 * a, (d, 0.0)));
     let denominator = add(root(radicand), (3.0 * a * (2.0 * t + e), 0.0));
     divide(scale(2.0, numerator), denominator)
 }
 
-fn pair(wide: Wide) -> (f64, f64) {
+fn pair(wide: DoubleDouble) -> (f64, f64) {
     (wide.round(), wide.low())
 }
 
 fn add(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
-    let (high, low) = pair(Wide::two_sum(a.0, b.0));
-    pair(Wide::two_sum(high, low + (a.1 + b.1)))
+    let (high, low) = pair(DoubleDouble::two_sum(a.0, b.0));
+    pair(DoubleDouble::two_sum(high, low + (a.1 + b.1)))
 }
 
 fn scale(factor: f64, a: (f64, f64)) -> (f64, f64) {
-    let (high, low) = pair(Wide::two_product(factor, a.0));
-    pair(Wide::two_sum(high, low + factor * a.1))
+    let (high, low) = pair(DoubleDouble::two_product(factor, a.0));
+    pair(DoubleDouble::two_sum(high, low + factor * a.1))
 }
 
 /// One step of Newton from the quotient of the high parts.
 fn divide(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
     let first = a.0 / b.0;
     let left = add(a, scale(-first, b));
-    pair(Wide::two_sum(first, left.0 / b.0))
+    pair(DoubleDouble::two_sum(first, left.0 / b.0))
 }
 
 /// One step of Newton from the root of the high part.
 fn root(a: (f64, f64)) -> (f64, f64) {
     let first = a.0.sqrt();
     let left = add(a, scale(-first, (first, 0.0)));
-    pair(Wide::two_sum(first, left.0 / (2.0 * first)))
+    pair(DoubleDouble::two_sum(first, left.0 / (2.0 * first)))
 }
 
 /// How far a value is from the exact one, in units of the last place of that; all digits are wrong beyond 2^53.

@@ -6,6 +6,7 @@ use crate::measured::Measured;
 use crate::real::Real;
 use crate::root;
 use crate::soft::Soft;
+use crate::terms::Terms;
 
 impl Real for f64 {
     type Wide = Measured;
@@ -105,7 +106,7 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn compensated(wide: &Measured, threshold: f64, operands: &[&Self], terms: &[u8]) -> Self {
+    fn compensated(wide: &Measured, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
         if wide.settled(threshold) {
             wide.round()
         } else {

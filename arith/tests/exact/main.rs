@@ -1,5 +1,5 @@
 //! Arithmetic and roots against exact arithmetic.
 
+mod double_double;
 mod numbers;
 mod root;
-mod wide;

@@ -8,6 +8,7 @@ use crate::measured::Measured;
 use crate::real::Real;
 use crate::root;
 use crate::soft::Soft;
+use crate::terms::Terms;
 
 /// What `f64` computes, in one of two ways, which return the same bits unless `doubt` is raised.
 ///
@@ -221,7 +222,7 @@ impl<'a, const WATCHED: bool> Real for Plain<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn compensated(wide: &PlainWide<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: &[u8]) -> Self {
+    fn compensated(wide: &PlainWide<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
         let (rounded, settled) = (wide.round(), wide.wide.settled(threshold));
         if !WATCHED {
             return rounded.if_fine(rounded.value, settled);

@@ -17,11 +17,9 @@
 
 use core::cmp::Ordering;
 
+use crate::double_double::DoubleDouble;
 use crate::float::{exponent, scale};
-use crate::wide::Wide;
-
-/// The highest degree that [`positive_root`] takes.
-pub const MAX_DEGREE: usize = 32;
+use crate::limits::MAX_DEGREE;
 
 const MAX_TERMS: usize = MAX_DEGREE + 1;
 
@@ -100,7 +98,7 @@ fn horner(polynomial: &[f64], y: f64) -> (f64, f64) {
 
 /// The polynomial at `y`, evaluated in double-double and rounded once.
 fn wide_horner(polynomial: &[f64], y: f64) -> f64 {
-    polynomial.iter().rev().fold(Wide::from(0.0), |value, &c| value * y + c).round()
+    polynomial.iter().rev().fold(DoubleDouble::from(0.0), |value, &c| value * y + c).round()
 }
 
 /// Steps that always suffice for a polynomial of `count` terms.

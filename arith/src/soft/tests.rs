@@ -74,7 +74,7 @@ fn slices_of_numbers_beyond_f64_are_exact() {
     let number = |significand: u64, exponent| Soft::new(false, significand.into(), exponent, false);
     let one = |exponent| number(1, exponent);
     // `x*y - z*w`
-    let terms = &[2, 0, 1, 0x82, 2, 3];
+    let terms = Terms::of(&[2, 0, 1, 0x82, 2, 3]);
     let difference = |x, y, z, w| Soft::compensated(&Soft::NAN, 0.0, &[&x, &y, &z, &w], terms);
     let next = (1 << 52) + 1;
     for exponent in [-9_000, -2_000, 0, 2_000, 9_000] {
@@ -84,7 +84,7 @@ fn slices_of_numbers_beyond_f64_are_exact() {
         assert_eq!(difference(product, one(100), product, one(100)), Soft::ZERO, "2^{exponent}");
     }
     // farther apart than any products of f64: what the large terms leave, and nothing else where they leave something
-    let terms = &[1, 0, 0x81, 1, 1, 2];
+    let terms = Terms::of(&[1, 0, 0x81, 1, 1, 2]);
     let sum = |x, y, z| Soft::compensated(&Soft::NAN, 0.0, &[&x, &y, &z], terms);
     assert_eq!(sum(one(90_000), one(90_000), one(-90_000)), one(-90_000));
     assert_eq!(sum(one(90_001), one(90_000), one(-90_000)), one(90_000));

@@ -1,9 +1,11 @@
 //! `Real`: any arithmetic in which a program can run.
 
+use crate::terms::Terms;
+
 /// An arithmetic in which the program of a kernel can run.
 ///
-/// Expansions of `#[kernel]` call nothing else, so a program means the same in all of them: in `f64` what users call,
-/// in `Mpfr` what judges measure it against.
+/// Expansions of `#[kernel]` call nothing else, nor does the interpreter, so a program means the same in all of them: in
+/// `f64` what users call, in `Mpfr` what judges measure it against.
 ///
 /// [`Wide`](Self::Wide) is what a `compensated!` or `residual!` slice is evaluated in. Its operands count as exact; sums
 /// and products of them take the cheapest operation that their kinds allow.
@@ -54,10 +56,7 @@ pub trait Real: Clone + PartialOrd {
     fn wide_mul(left: &Self::Wide, right: &Self::Wide) -> Self::Wide;
     /// The value of a `compensated!` slice, to all digits: `wide` rounded once, if it is larger than `threshold` times
     /// the sum of the magnitudes of its terms; otherwise the sum of products that `terms` make of `operands`, exactly.
-    ///
-    /// Each term is a head byte, the number of its factors with the high bit set where the term is subtracted, followed
-    /// by the positions of its factors among `operands`.
-    fn compensated(wide: &Self::Wide, threshold: f64, operands: &[&Self], terms: &[u8]) -> Self;
+    fn compensated(wide: &Self::Wide, threshold: f64, operands: &[&Self], terms: Terms) -> Self;
     /// The value of a `residual!` slice: `wide`, rounded once.
     fn residual(wide: &Self::Wide) -> Self;
 }

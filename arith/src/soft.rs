@@ -9,6 +9,7 @@ use crate::exact::{self, Operand};
 use crate::float;
 use crate::real::Real;
 use crate::root;
+use crate::terms::Terms;
 
 /// A number `bits * 2^exponent`, the leading bit of `bits` set, or the negative of it; or zero, or not a number.
 #[derive(Clone, Copy, Debug)]
@@ -332,7 +333,7 @@ impl Real for Soft {
 
     /// Exact, but for the bits that are cut off; of operands the first 53 bits count, as in `f64`, with any exponent. Where
     /// terms lie too far apart to be summed exactly, right to 2^-120 of the largest.
-    fn compensated(wide: &Self, _: f64, operands: &[&Self], terms: &[u8]) -> Self {
+    fn compensated(wide: &Self, _: f64, operands: &[&Self], terms: Terms) -> Self {
         exact::polynomial(operands, |operand| operand.operand(), terms).unwrap_or(*wide)
     }
 

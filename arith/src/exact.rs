@@ -7,10 +7,9 @@
 //! meant for the rare point at which a polynomial cancels so far that double-double cannot tell its digits.
 
 use crate::float;
+use crate::limits::{MAX_FACTORS, MAX_TERMS};
 use crate::soft::Soft;
-
-/// The most factors of a product.
-pub(crate) const MAX_FACTORS: usize = 16;
+use crate::terms::{Term, Terms};
 
 /// Bits of a significand.
 const SIGNIFICAND: i64 = f64::MANTISSA_DIGITS as i64;
@@ -18,14 +17,14 @@ const SIGNIFICAND: i64 = f64::MANTISSA_DIGITS as i64;
 /// Words of a product of significands.
 const PRODUCT_WORDS: usize = MAX_FACTORS * SIGNIFICAND as usize / 64 + 1;
 
-/// Words of any sum: exponents of a product span at most 2098 a factor; two more for signs and carries of 2^64 terms.
+/// Words of any sum: exponents of a product span at most 2098 a factor; two more for signs and carries.
 const LONGEST: usize = MAX_FACTORS * 2098 / 64 + 3;
 
 /// Words that most sums need: those whose terms are of similar size.
 const SHORT: usize = 32;
 
-/// How many bits below the unit of a sum other terms leave its first 128 alone: those, and carries of 2^14 terms.
-const GAP: i64 = 128 + 14;
+/// How many bits below the unit of a sum other terms leave its first 128 alone: those, and carries of all terms.
+const GAP: i64 = 128 + MAX_TERMS.ilog2() as i64;
 
 /// An operand: an integer times a power of two.
 #[derive(Clone, Copy)]
@@ -45,21 +44,20 @@ impl Operand {
     }
 }
 
-/// A sum of products: `terms` one after another, each a head byte, the number of its factors with the high bit set where
-/// the product is subtracted, and then the positions of its factors among `operands`.
+/// A sum of products of operands.
 ///
 /// `None` unless all operands, as `read` reads them, are numbers, and where terms lie so far apart that their sum is
 /// longer than any of `f64`.
 #[cold]
 #[inline(never)]
-pub(crate) fn polynomial<T>(operands: &[&T], read: fn(&T) -> Option<Operand>, terms: &[u8]) -> Option<Soft> {
+pub(crate) fn polynomial<T>(operands: &[&T], read: fn(&T) -> Option<Operand>, terms: Terms) -> Option<Soft> {
     if operands.iter().any(|operand| read(operand).is_none()) {
         return None;
     }
     let factor = |position: u8| operands.get(usize::from(position)).and_then(|operand| read(operand));
     let mut below = i64::MAX;
     loop {
-        let spans = || Terms(terms).filter_map(|(_, factors)| span(&factor, factors)).filter(|(_, high)| *high < below);
+        let spans = || terms.filter_map(|term| span(&factor, term.factors)).filter(|(_, high)| *high < below);
         let Some(highest) = spans().map(|(_, high)| high).max() else { return Some(Soft::ZERO) };
         let all = spans().map(|(low, _)| low).min().unwrap_or(highest);
         let fits = |lowest: i64| usize::try_from((highest - lowest) / 64 + 3).ok().filter(|used| *used <= LONGEST);
@@ -114,20 +112,6 @@ fn span(factor: &impl Fn(u8) -> Option<Operand>, factors: &[u8]) -> Option<(i64,
     Some((low, low.saturating_add(SIGNIFICAND * factors.len() as i64)))
 }
 
-/// The terms, each its sign and the positions of its factors.
-struct Terms<'a>(&'a [u8]);
-
-impl<'a> Iterator for Terms<'a> {
-    type Item = (bool, &'a [u8]);
-
-    fn next(&mut self) -> Option<Self::Item> {
-        let (&head, rest) = self.0.split_first()?;
-        let (factors, rest) = rest.split_at_checked(usize::from(head & 0x7f))?;
-        self.0 = rest;
-        Some((head & 0x80 != 0, factors))
-    }
-}
-
 /// A product of significands, and the exponent of its unit.
 struct Product {
     negative: bool,
@@ -139,10 +123,10 @@ struct Product {
 
 impl Product {
     /// `None` for zero.
-    fn of(factor: &impl Fn(u8) -> Option<Operand>, negative: bool, factors: &[u8]) -> Option<Self> {
-        let mut product = Product { negative, words: [0; PRODUCT_WORDS], used: 1, exponent: 0 };
+    fn of(factor: &impl Fn(u8) -> Option<Operand>, term: Term) -> Option<Self> {
+        let mut product = Product { negative: term.negative, words: [0; PRODUCT_WORDS], used: 1, exponent: 0 };
         *product.words.first_mut()? = 1;
-        for &position in factors {
+        for &position in term.factors {
             let Operand { negative, significand, exponent } = factor(position)?;
             if significand == 0 {
                 return None;
@@ -169,11 +153,11 @@ struct Sum<const WORDS: usize>([u64; WORDS]);
 
 impl<const WORDS: usize> Sum<WORDS> {
     /// The sum of the terms that are near each other, in the low `used` words.
-    fn of(mut self, factor: &impl Fn(u8) -> Option<Operand>, terms: &[u8], near: Near, used: usize) -> Soft {
+    fn of(mut self, factor: &impl Fn(u8) -> Option<Operand>, terms: Terms, near: Near, used: usize) -> Soft {
         let Near { lowest, below } = near;
         let here = |(low, high)| low >= lowest && high < below;
-        let terms = Terms(terms).filter(|(_, factors)| span(factor, factors).is_some_and(here));
-        let products = terms.filter_map(|(negative, factors)| Product::of(factor, negative, factors));
+        let terms = terms.filter(|term| span(factor, term.factors).is_some_and(here));
+        let products = terms.filter_map(|term| Product::of(factor, term));
         products.for_each(|product| self.add(&product, product.exponent - lowest, used));
         self.leading(lowest, used)
     }
@@ -231,7 +215,7 @@ mod tests {
 
     fn sum(operands: &[f64], terms: &[u8]) -> f64 {
         let operands = operands.iter().collect::<std::vec::Vec<_>>();
-        polynomial(&operands, |operand| Operand::of(*operand), terms).map_or(f64::NAN, Soft::to_f64)
+        polynomial(&operands, |operand| Operand::of(*operand), Terms::of(terms)).map_or(f64::NAN, Soft::to_f64)
     }
 
     fn difference(operands: [f64; 4]) -> f64 {

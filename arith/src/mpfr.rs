@@ -6,8 +6,10 @@ use rug::Float;
 use rug::float::Constant;
 use rug::ops::NegAssign;
 
+use crate::limits::MAX_DEGREE;
 use crate::real::Real;
 use crate::root::{Term, bound, steps, terms};
+use crate::terms::Terms;
 
 /// A number of arbitrary precision, correctly rounded to nearest by every operation.
 ///
@@ -116,7 +118,7 @@ impl Real for Mpfr {
         left.mul(right)
     }
 
-    fn compensated(wide: &Mpfr, _: f64, _: &[&Self], _: &[u8]) -> Self {
+    fn compensated(wide: &Mpfr, _: f64, _: &[&Self], _: Terms) -> Self {
         wide.clone()
     }
 
@@ -127,7 +129,7 @@ impl Real for Mpfr {
 
 /// The exponent of a power of two above the root, where there is one.
 fn bound_of(coefficients: &[Mpfr]) -> Option<i64> {
-    if coefficients.len() > crate::MAX_DEGREE + 1 || !coefficients.iter().all(Mpfr::is_finite) {
+    if coefficients.len() > MAX_DEGREE + 1 || !coefficients.iter().all(Mpfr::is_finite) {
         return None;
     }
     // MPFR counts exponents from the point before the leading bit.

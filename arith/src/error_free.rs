@@ -1,26 +1,52 @@
-//! The one door to float functions that `core` lacks.
+//! Error-free transformations: sums and products of two numbers as what `f64` makes of them, and what that lost.
 
-#[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
-compile_error!(
-    "closedform needs IEEE 754 arithmetic: the x87 unit of this target rounds twice, which breaks every error-free sum and \
-     product. Build for a target with SSE2, such as i686-unknown-linux-gnu, or with `-C target-feature=+sse2`"
-);
+use crate::range;
 
-/// The square root, correctly rounded.
+/// The largest factor that can be split.
+pub(crate) const LARGEST_FACTOR: f64 = range::power_of_two(range::FACTOR);
+
+/// Between these magnitudes a product of numbers that can be split is error-free.
+const PRODUCTS: (f64, f64) = (range::power_of_two(range::PRODUCT.0), range::power_of_two(range::PRODUCT.1));
+
+/// `a + b` and what rounding it lost (Knuth's 2Sum).
 #[inline(always)]
-pub(crate) fn sqrt(x: f64) -> f64 {
-    #[cfg(feature = "std")]
-    return x.sqrt();
-    #[cfg(not(feature = "std"))]
-    return libm::sqrt(x);
+pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let high = a + b;
+    let a_part = high - b;
+    let b_part = high - a_part;
+    (high, (a - a_part) + (b - b_part))
+}
+
+/// The same where `a` is zero or its exponent is not below that of `b` (Dekker's Fast2Sum).
+#[inline(always)]
+pub(crate) fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
+    let high = a + b;
+    (high, b - (high - a))
+}
+
+/// `a * b` and what rounding it lost (2Prod: fused multiply-add, else Dekker's product; the same bits where it
+/// [is error-free](product_is_error_free)).
+#[inline(always)]
+pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+    let high = a * b;
+    (high, product_error(a, b, high))
+}
+
+/// Whether the product of `a` and `b` is error-free however it is computed: operands can be split, no product of
+/// their parts overflows, and the error does not underflow.
+#[inline(always)]
+pub(crate) fn product_is_error_free(a: f64, b: f64) -> bool {
+    let product = (a * b).abs();
+    let sized = ((product >= PRODUCTS.0) & (product <= PRODUCTS.1)) | (a == 0.0) | (b == 0.0);
+    (a.abs() <= LARGEST_FACTOR) & (b.abs() <= LARGEST_FACTOR) & sized
 }
 
 /// What rounding `a * b` to `product` lost.
 ///
 /// The two ways return the same bits unless the split overflows (an operand beyond 2^996) or the error underflows (a
-/// product below 2^-969): `Wide::error_free` tells.
+/// product below 2^-969): [`product_is_error_free`] tells.
 #[inline(always)]
-pub(crate) fn product_error(a: f64, b: f64, product: f64) -> f64 {
+fn product_error(a: f64, b: f64, product: f64) -> f64 {
     #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
     return a.mul_add(b, -product);
     // Without the instruction a fused multiply-add is a slow function call that no loop vectorises: split instead.
@@ -34,7 +60,7 @@ pub(crate) fn product_error(a: f64, b: f64, product: f64) -> f64 {
     allow(dead_code, reason = "the fused instruction replaces it; tests compare both")
 )]
 #[inline(always)]
-pub(crate) fn dekker_error(a: f64, b: f64, product: f64) -> f64 {
+fn dekker_error(a: f64, b: f64, product: f64) -> f64 {
     let (ah, al) = split(a);
     let (bh, bl) = split(b);
     al * bl - (((product - ah * bh) - al * bh) - ah * bl)
@@ -48,28 +74,9 @@ fn split(x: f64) -> (f64, f64) {
     (high, x - high)
 }
 
-/// The significand as an integer, and the exponent of its unit; of a finite number.
-pub(crate) fn significand(x: f64) -> (u64, i32) {
-    let bits = x.to_bits();
-    let (exponent, fraction) = ((bits >> 52 & 0x7ff) as i32, bits & ((1 << 52) - 1));
-    let significand = if exponent == 0 { fraction } else { fraction | 1 << 52 };
-    (significand, exponent.max(1) - 1075)
-}
-
-/// The exponent of the leading bit; of a number that is neither zero, infinite nor NaN.
-pub(crate) fn exponent(x: f64) -> i32 {
-    libm::ilogb(x)
-}
-
-/// `x * 2^n`, exact unless it over- or underflows.
-pub(crate) fn scale(x: f64, n: i32) -> f64 {
-    libm::scalbn(x, n)
-}
-
 #[cfg(all(test, feature = "std"))]
 mod tests {
-    use super::dekker_error;
-    use crate::wide::Wide;
+    use super::{dekker_error, product_is_error_free};
 
     #[test]
     fn the_split_finds_what_a_fused_multiply_add_finds() {
@@ -101,7 +108,7 @@ mod tests {
             let (a, b) = (number(a), number(b));
             let product = a * b;
             let agree = dekker_error(a, b, product) == a.mul_add(b, -product);
-            assert!(agree || !Wide::error_free(a, b), "{a:e} * {b:e}");
+            assert!(agree || !product_is_error_free(a, b), "{a:e} * {b:e}");
             *(if agree { &mut same } else { &mut different }) += 1;
         }
         assert!(same > 10_000 && different > 10_000, "{same} {different}");

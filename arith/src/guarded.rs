@@ -1,18 +1,21 @@
 //! `Guarded`: double-double as a program's arithmetic, which says when it leaves its range; what `faithful` runs in.
 //!
-//! A step in range is right to 15 u^2 relative to its value, u = 2^-53 (see [`Wide`]), and a slice to u/1000. What a
-//! program computes without cancellation outside its slices is therefore right to far better than u/2, and the leading
-//! part of its result less than one ulp from the true value.
+//! A step in range, and a slice, are off by as little as the [error model](crate::error_model) says. What a program computes
+//! without cancellation outside its slices is therefore right to far better than half a unit, and the leading part of its
+//! result less than one ulp from the true value.
 
 use core::cell::Cell;
 use core::cmp::Ordering;
 
+use crate::double_double::DoubleDouble;
+use crate::error_free::LARGEST_FACTOR;
 use crate::exact::{self, Operand};
 use crate::measured::Measured;
+use crate::range;
 use crate::real::Real;
 use crate::root;
 use crate::soft::Soft;
-use crate::wide::{LARGEST_FACTOR, Wide};
+use crate::terms::Terms;
 
 /// A number in double-double; `left` is raised when a step leaves the range.
 ///
@@ -20,18 +23,24 @@ use crate::wide::{LARGEST_FACTOR, Wide};
 /// error-free. `WATCHED`, it is for all finite inputs: a slice in which one may not be is summed exactly.
 #[derive(Clone, Copy)]
 pub struct Guarded<'a, const WATCHED: bool> {
-    value: Wide,
+    value: DoubleDouble,
     left: &'a Cell<bool>,
 }
 
-/// Between these magnitudes, 2^-450 and 2^450, a step of numbers in range loses no digits.
-const RANGE: (f64, f64) = (f64::from_bits((1023 - 450) << 52), f64::from_bits((1023 + 450) << 52));
+/// Between these magnitudes a step of numbers in range loses no digits.
+const RANGE: (f64, f64) = (range::power_of_two(range::STEP.0), range::power_of_two(range::STEP.1));
 
 impl<'a, const WATCHED: bool> Guarded<'a, WATCHED> {
     /// Exact.
     #[inline(always)]
     pub fn new(value: f64, left: &'a Cell<bool>) -> Self {
         Guarded { value: value.into(), left }.in_range(true)
+    }
+
+    /// The number.
+    #[inline(always)]
+    pub fn value(self) -> DoubleDouble {
+        self.value
     }
 
     /// The leading part.
@@ -50,7 +59,7 @@ impl<'a, const WATCHED: bool> Guarded<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn with(&self, value: Wide) -> Self {
+    fn with(&self, value: DoubleDouble) -> Self {
         Guarded { value, left: self.left }
     }
 
@@ -113,7 +122,7 @@ impl<'a, const WATCHED: bool> Real for Guarded<'a, WATCHED> {
     #[inline(always)]
     fn pi(&self) -> Self {
         // with what the leading part leaves off
-        self.with(Wide::two_sum(core::f64::consts::PI, 1.224_646_799_147_353_2e-16))
+        self.with(DoubleDouble::two_sum(core::f64::consts::PI, 1.224_646_799_147_353_2e-16))
     }
 
     #[inline(always)]
@@ -206,14 +215,14 @@ impl<'a, const WATCHED: bool> Real for Guarded<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn compensated(wide: &GuardedWide<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: &[u8]) -> Self {
+    fn compensated(wide: &GuardedWide<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
         if wide.wide.settled(threshold) {
             return wide.value().in_range(false);
         }
         let read = |operand: &Self| Operand::of(operand.value.round());
         let sum = exact::polynomial(operands, read, terms).unwrap_or(Soft::NAN);
         let (high, low) = sum.split();
-        let value = Guarded { value: Wide::two_sum(high, low), left: wide.left };
+        let value = Guarded { value: DoubleDouble::two_sum(high, low), left: wide.left };
         value.in_range(sum.is_zero())
     }
 

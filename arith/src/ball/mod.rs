@@ -15,8 +15,10 @@ mod tests;
 use core::cell::Cell;
 use core::cmp::Ordering;
 
+use crate::error_model::CERTIFIED_RADIUS;
 use crate::float;
 use crate::real::Real;
+use crate::terms::Terms;
 use limbs::{Cut, Limbs};
 use radius::Radius;
 use separation::Separation;
@@ -62,9 +64,6 @@ enum Kind {
     /// Whether there is a value could not be decided.
     Unknown,
 }
-
-/// An accepted error: with it a value rounded to nearest is off by 0.5 + 2^-7 units in the last place at most.
-const ACCEPTED: i64 = -60;
 
 impl<'a, const L: usize> Ball<'a, L> {
     /// Exact; no value unless finite.
@@ -142,7 +141,7 @@ impl<'a, const L: usize> Ball<'a, L> {
         Some(Self::without_value(kind, self.settling))
     }
 
-    /// The nearest `f64`, off by 0.51 units in the last place at most, and whether it is the value itself; NaN where there
+    /// The nearest `f64`, off by [as little](CERTIFIED_RADIUS) as certified calls are, and whether it is the value itself; NaN where there
     /// is no value. `None` where the ball is too large for that.
     pub fn accepted(&self) -> Option<(f64, bool)> {
         let rounded = self.middle.to_f64();
@@ -151,7 +150,7 @@ impl<'a, const L: usize> Ball<'a, L> {
             Kind::Unknown => None,
             Kind::Number if self.radius.is_zero() => Some((rounded, self.middle.is_exactly(rounded))),
             Kind::Number => {
-                let allowed = self.middle.exponent().saturating_add(ACCEPTED);
+                let allowed = self.middle.exponent().saturating_add(CERTIFIED_RADIUS);
                 let accepted = !self.middle.is_zero() && self.radius.is_less_than(0.5, allowed);
                 accepted.then_some((rounded, false))
             }
@@ -320,7 +319,7 @@ impl<const L: usize> Real for Ball<'_, L> {
         left.times(right)
     }
 
-    fn compensated(wide: &Self, _: f64, _: &[&Self], _: &[u8]) -> Self {
+    fn compensated(wide: &Self, _: f64, _: &[&Self], _: Terms) -> Self {
         wide.clone()
     }
 

@@ -2,7 +2,7 @@
 
 #![cfg(feature = "mpfr")]
 
-use closedform::{Mpfr, Real, positive_root};
+use closedform_arith::{Mpfr, Real, positive_root};
 
 #[test]
 fn a_result_takes_the_larger_precision() {

@@ -4,7 +4,7 @@
 //! A tier is left where one of its steps does not keep its promise. The last, [`Soft`], keeps it everywhere, so what comes
 //! out is right for all finite inputs: conditions are decided exactly, and only results over- or underflow.
 //!
-//! A certified kernel has tiers of its own: [balls](Ball) of more and more words, until every condition is decided and
+//! A certified kernel has tiers of its own: balls of more and more words, until every condition is decided and
 //! every result is right.
 
 use core::cell::Cell;
@@ -122,7 +122,7 @@ fn attempt<S: Steps, R: Real>(
     (!left.get()).then_some(Ok(results))
 }
 
-/// What a certified program answers to finite inputs: each result off by 0.51 ulp at most.
+/// What a certified program answers to finite inputs: each result off by [`CERTIFIED_ULP`](crate::error_model::CERTIFIED_ULP) at most.
 pub fn certified<S: Steps>(steps: &S) -> Answer<S> {
     let undecided = || Ok(steps.results(Soft::from_f64, |_| Rounded::undecided()));
     in_balls::<S, 4>(steps)

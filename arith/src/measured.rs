@@ -2,39 +2,40 @@
 
 use core::ops::{Add, Mul, Neg};
 
-use crate::wide::Wide;
+use crate::double_double::DoubleDouble;
+use crate::error_free::product_is_error_free;
+use crate::range;
 
 /// A slice in double-double, and the sum of the magnitudes of its terms.
 ///
-/// With u = 2^-53 and an n that the slice's operations make, counted in `closedform-syntax`: |value - exact| is at most
-/// n u^2 size. The theorems of [`Wide`] give it for each operation, where products add [`UNDERFLOW`] to the size: that
-/// much of it, times u^2, is more than a product loses when parts of it underflow. Overflow, and operands too large to
+/// With an n that the slice's operations make ([`compensated`](crate::error_model::compensated)), |value - exact| is at most
+/// n u^2 size, where products add [`UNDERFLOW`] to the size: that much of it, times u^2, is more than a product loses when
+/// parts of it underflow. Overflow, and operands too large to
 /// split, end in a size that is infinite or a value that is NaN: both are [unsettled](Self::settled).
 #[derive(Clone, Copy, Debug)]
 pub struct Measured {
-    value: Wide,
+    value: DoubleDouble,
     size: f64,
 }
 
-/// 2^-960: times u^2 still some 2^8 times what one underflow loses.
-const UNDERFLOW: f64 = f64::from_bits((1023 - 960) << 52);
+const UNDERFLOW: f64 = range::power_of_two(range::UNDERFLOW);
 
 impl Measured {
     /// `a + b`, exactly.
     #[inline(always)]
     pub(crate) fn two_sum(a: f64, b: f64) -> Self {
-        Measured { value: Wide::two_sum(a, b), size: a.abs() + b.abs() }
+        Measured { value: DoubleDouble::two_sum(a, b), size: a.abs() + b.abs() }
     }
 
     /// `a * b`, exactly.
     #[inline(always)]
     pub(crate) fn two_product(a: f64, b: f64) -> Self {
-        Measured { value: Wide::two_product(a, b), size: (a * b).abs() + UNDERFLOW }
+        Measured { value: DoubleDouble::two_product(a, b), size: (a * b).abs() + UNDERFLOW }
     }
 
     /// The value in double-double.
     #[inline(always)]
-    pub(crate) fn value(self) -> Wide {
+    pub(crate) fn value(self) -> DoubleDouble {
         self.value
     }
 
@@ -54,7 +55,7 @@ impl Measured {
     /// where a product of them may not be error-free, on some targets or on all.
     #[inline(always)]
     pub(crate) fn watched(self, a: f64, b: f64) -> Self {
-        let size = if Wide::error_free(a, b) { self.size } else { f64::INFINITY };
+        let size = if product_is_error_free(a, b) { self.size } else { f64::INFINITY };
         Measured { size, ..self }
     }
 

@@ -10,11 +10,6 @@ pub fn exact(value: f64) -> Float {
     Float::with_val(EXACT, value)
 }
 
-/// The unit roundoff u = 2^-53, to the power of two.
-pub fn u_squared() -> f64 {
-    (f64::EPSILON / 2.0) * (f64::EPSILON / 2.0)
-}
-
 /// A reproducible stream of random bits (xorshift64*).
 pub struct Random(u64);
 

@@ -1,7 +1,8 @@
 //! The falling root iteration against known roots and against the sign of the exact polynomial.
 
 use crate::numbers::{Random, exact};
-use closedform::{MAX_DEGREE, positive_root};
+use closedform_arith::limits::MAX_DEGREE;
+use closedform_arith::positive_root;
 use rug::Float;
 
 /// The polynomial at `x`, exactly.

@@ -1,12 +1,13 @@
 //! Double-double arithmetic against exact arithmetic: the theorems, on numbers chosen where it hurts.
 
-use crate::numbers::{Random, exact, u_squared};
-use closedform::Wide;
+use crate::numbers::{Random, exact};
+use closedform_arith::DoubleDouble;
+use closedform_arith::error_model::{UNIT, double_double as theorem};
 use rug::Float;
 
 const ROUNDS: usize = 20_000;
 
-fn exact_wide(wide: Wide) -> Float {
+fn exact_wide(wide: DoubleDouble) -> Float {
     exact(wide.round()) + exact(wide.low())
 }
 
@@ -26,24 +27,24 @@ fn pairs() -> Vec<(f64, f64)> {
 }
 
 /// Pairs of wide numbers, whose low parts cancel too at times.
-fn wide_pairs() -> Vec<(Wide, Wide)> {
+fn wide_pairs() -> Vec<(DoubleDouble, DoubleDouble)> {
     let mut random = Random::new(2);
     let mut wide_pairs = Vec::new();
     for (a, b) in pairs().into_iter().filter(|(a, b)| a.abs() < 1e130 && b.abs() < 1e130) {
         let low = |random: &mut Random, high: f64| high * f64::EPSILON * random.number(30).clamp(-0.5, 0.5);
-        let first = Wide::two_sum(a, low(&mut random, a));
-        let second = Wide::two_sum(b, low(&mut random, b));
-        let opposite = Wide::two_sum(-first.round(), random.near(first.low()));
+        let first = DoubleDouble::two_sum(a, low(&mut random, a));
+        let second = DoubleDouble::two_sum(b, low(&mut random, b));
+        let opposite = DoubleDouble::two_sum(-first.round(), random.near(first.low()));
         wide_pairs.extend([(first, second), (first, opposite)]);
     }
     wide_pairs
 }
 
 /// That `computed` is within `bound` u^2 of `expected`, and normalised.
-fn assert_close(computed: Wide, expected: Float, bound: f64, what: &dyn Fn() -> String) {
+fn assert_close(computed: DoubleDouble, expected: Float, bound: f64, what: &dyn Fn() -> String) {
     assert_eq!(computed.round() + computed.low(), computed.round(), "{} is not normalised", what());
     let error = Float::with_val(crate::numbers::EXACT, &expected - exact_wide(computed)).abs();
-    assert!(error <= expected.abs() * (bound * u_squared()), "{}: {computed:?}", what());
+    assert!(error <= expected.abs() * (bound * UNIT * UNIT), "{}: {computed:?}", what());
 }
 
 /// Whether errors of `a * b`, and of their low parts, can be represented.
@@ -55,36 +56,36 @@ fn product_is_safe(a: f64, b: f64) -> bool {
 #[test]
 fn two_sum_is_exact() {
     for (a, b) in pairs() {
-        assert_eq!(exact_wide(Wide::two_sum(a, b)), exact(a) + exact(b), "{a:e} + {b:e}");
+        assert_eq!(exact_wide(DoubleDouble::two_sum(a, b)), exact(a) + exact(b), "{a:e} + {b:e}");
     }
 }
 
 #[test]
 fn two_product_is_exact() {
     for (a, b) in pairs().into_iter().filter(|&(a, b)| product_is_safe(a, b)) {
-        assert_eq!(exact_wide(Wide::two_product(a, b)), exact(a) * exact(b), "{a:e} * {b:e}");
+        assert_eq!(exact_wide(DoubleDouble::two_product(a, b)), exact(a) * exact(b), "{a:e} * {b:e}");
     }
 }
 
 #[test]
 fn sums_keep_their_bounds() {
     for (a, b) in wide_pairs() {
-        let tight = 3.0 / (1.0 - 2.0 * f64::EPSILON);
-        assert_close(a + b, exact_wide(a) + exact_wide(b), tight, &|| format!("{a:?} + {b:?}"));
-        assert_close(a - b, exact_wide(a) - exact_wide(b), tight, &|| format!("{a:?} - {b:?}"));
+        assert_close(a + b, exact_wide(a) + exact_wide(b), theorem::SUM, &|| format!("{a:?} + {b:?}"));
+        assert_close(a - b, exact_wide(a) - exact_wide(b), theorem::SUM, &|| format!("{a:?} - {b:?}"));
         let plain = b.round();
-        assert_close(a + plain, exact_wide(a) + exact(plain), 2.0, &|| format!("{a:?} + {plain:?}"));
-        assert_close(a - plain, exact_wide(a) - exact(plain), 2.0, &|| format!("{a:?} - {plain:?}"));
+        assert_close(a + plain, exact_wide(a) + exact(plain), theorem::SUM_WITH_F64, &|| format!("{a:?} + {plain:?}"));
+        assert_close(a - plain, exact_wide(a) - exact(plain), theorem::SUM_WITH_F64, &|| format!("{a:?} - {plain:?}"));
     }
 }
 
 #[test]
 fn products_keep_their_bounds() {
     for (a, b) in wide_pairs().into_iter().filter(|(a, b)| product_is_safe(a.round(), b.round())) {
-        assert_close(a * b, exact_wide(a) * exact_wide(b), 7.0, &|| format!("{a:?} * {b:?}"));
+        assert_close(a * b, exact_wide(a) * exact_wide(b), theorem::PRODUCT, &|| format!("{a:?} * {b:?}"));
         let plain = b.round();
-        let bound = 1.5 + 2.0 * f64::EPSILON;
-        assert_close(a * plain, exact_wide(a) * exact(plain), bound, &|| format!("{a:?} * {plain:?}"));
+        assert_close(a * plain, exact_wide(a) * exact(plain), theorem::PRODUCT_WITH_F64, &|| {
+            format!("{a:?} * {plain:?}")
+        });
     }
 }
 
@@ -93,17 +94,17 @@ fn quotients_keep_their_bounds() {
     let safe = |x: f64| (2f64.powi(-430)..2f64.powi(430)).contains(&x.abs());
     for (a, b) in wide_pairs().into_iter().filter(|(a, b)| safe(a.round()) && safe(b.round())) {
         let expected = Float::with_val(400, exact_wide(a) / exact_wide(b));
-        assert_close(a / b, expected, 15.0 + 56.0 * f64::EPSILON, &|| format!("{a:?} / {b:?}"));
+        assert_close(a / b, expected, theorem::QUOTIENT, &|| format!("{a:?} / {b:?}"));
     }
 }
 
 #[test]
 fn roots_keep_their_bounds() {
     for (a, _) in wide_pairs().into_iter().filter(|(a, _)| a.round() > 2f64.powi(-400)) {
-        assert_close(a.sqrt(), Float::with_val(400, exact_wide(a).sqrt()), 25.0 / 8.0, &|| format!("sqrt({a:?})"));
+        assert_close(a.sqrt(), Float::with_val(400, exact_wide(a).sqrt()), theorem::ROOT, &|| format!("sqrt({a:?})"));
     }
-    assert_eq!(Wide::from(0.0).sqrt(), Wide::from(0.0));
-    assert!(Wide::from(-1.0).sqrt().round().is_nan());
+    assert_eq!(DoubleDouble::from(0.0).sqrt(), DoubleDouble::from(0.0));
+    assert!(DoubleDouble::from(-1.0).sqrt().round().is_nan());
 }
 
 #[test]
@@ -115,8 +116,8 @@ fn negation_is_exact() {
 
 #[test]
 fn overflow_never_panics() {
-    let huge = Wide::from(f64::MAX);
-    for wide in [huge + huge, huge * huge, huge * 2.0, huge - f64::MIN, Wide::two_product(f64::MAX, f64::MAX)] {
+    let huge = DoubleDouble::from(f64::MAX);
+    for wide in [huge + huge, huge * huge, huge * 2.0, huge - f64::MIN, DoubleDouble::two_product(f64::MAX, f64::MAX)] {
         assert!(!wide.round().is_finite());
     }
 }

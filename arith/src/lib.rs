@@ -1,0 +1,50 @@
+//! The arithmetics that kernels run in, their limits, and one model of their errors.
+//!
+//! [`Real`] is what a program asks of an arithmetic. The tiers of a call ([`tier`]) are `f64` ([`Plain`]), double-double
+//! ([`Guarded`]), integers with an exponent that never runs out ([`Soft`]), and for certified kernels balls of more and
+//! more words. [`error_model`] says how far off their operations are, and on what authority; [`range`] between which
+//! magnitudes that holds; [`limits`] how large a kernel may be.
+//!
+//! Everything else stands on this crate: what runs kernels, what reads them, and what proves their bounds.
+//!
+//! Targets: all with floats that round once, as IEEE 754 demands; 32-bit x86 without SSE2 is refused.
+//!
+//! Features: `std` (default) takes `sqrt` from the standard library instead of `libm`; `mpfr` adds `Mpfr`, the
+//! arithmetic of arbitrary precision in which judges run kernels.
+
+#![no_std]
+
+#[cfg(feature = "std")]
+extern crate std;
+
+mod ball;
+mod double;
+mod double_double;
+mod error_free;
+pub mod error_model;
+mod exact;
+mod float;
+mod guarded;
+pub mod limits;
+mod measured;
+#[cfg(feature = "mpfr")]
+mod mpfr;
+mod plain;
+mod precision;
+pub mod range;
+mod real;
+mod root;
+mod soft;
+mod terms;
+pub mod tier;
+
+pub use double_double::DoubleDouble;
+pub use guarded::Guarded;
+#[cfg(feature = "mpfr")]
+pub use mpfr::Mpfr;
+pub use plain::Plain;
+pub use precision::Precision;
+pub use real::Real;
+pub use root::positive_root;
+pub use soft::Soft;
+pub use terms::{Term, Terms};
