@@ -15,6 +15,7 @@ use crate::accuracy::{REFERENCE_BITS, Reference, ReferenceError, ValueError, cov
 use crate::catalogue::{Catalogue, DomainError, Entry};
 use crate::kept::KeptInputs;
 use closedform_project::hexfloat;
+use closedform_project::kept::KeptError;
 use closedform_project::sample::{EmptyDomain, sample};
 use closedform_system::scratch;
 

@@ -2,9 +2,6 @@
 
 use closedform::{Kernel, kernel};
 
-/// The text of this file.
-pub const TEXT: &str = include_str!("right.rs");
-
 /// What a worksheet would define.
 pub const REFERENCES: &str = "\
 reach(v,a,x):=(sqrt(v^2+2*a*x)-v)/a$
