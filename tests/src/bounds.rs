@@ -1,47 +1,68 @@
 //! Kernels' texts for the judge of bounds: as checked in, and doctored.
 
+use std::fs;
+
 use closedform_bounds::{ResultBound, TextError, check_text};
 
-use crate::{worksheets, workspace};
-use std::fs;
+use crate::workspace;
 
 /// The generated text of a family.
 ///
 /// # Panics
 ///
 /// It cannot be read.
-pub fn text(family: &str) -> String {
+pub fn generated(family: &str) -> String {
     let path = workspace::root().join(format!("kernels/src/generated/{family}.rs"));
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// The proved bounds of every checked-in kernel, by family.
-pub fn all() -> Vec<(String, Result<Vec<ResultBound>, TextError>)> {
-    worksheets::families("toml").into_iter().map(|family| (family.clone(), check_text(&text(&family)))).collect()
+/// The kernels of a text by their names, each with its text.
+pub fn kernels(text: &str) -> Vec<(&str, String)> {
+    { text.split("\n#[kernel(").skip(1) }.filter_map(begun).collect()
 }
 
-/// The text of one kernel with every `from` in it replaced.
+/// The kernel that begins a text after the start of its attribute.
+fn begun(text: &str) -> Option<(&str, String)> {
+    let (text, _) = text.split_once("\n}\n")?;
+    let (_, signature) = text.split_once("\npub fn ")?;
+    let (name, _) = signature.split_once('(')?;
+    Some((name, format!("#[kernel({text}\n}}\n")))
+}
+
+/// The text of one kernel.
 ///
 /// # Panics
 ///
-/// There is no such kernel, or no `from` in it.
-pub fn doctored(family: &str, kernel: &str, from: &str, to: &str) -> String {
-    let text = text(family);
-    let text = text.split("\n#[kernel(").skip(1).find(|text| text.contains(&format!("\npub fn {kernel}(")));
-    let text =
-        text.and_then(|text| text.split_once("\n}\n")).unwrap_or_else(|| panic!("no kernel `{family}::{kernel}`"));
-    assert!(text.0.contains(from), "no `{from}` in `{family}::{kernel}`");
-    format!("#[kernel({}\n}}\n", text.0.replace(from, to))
+/// There is no such kernel.
+fn kernel(text: &str, name: &str) -> String {
+    let found = kernels(text).into_iter().find(|(other, _)| *other == name);
+    found.unwrap_or_else(|| panic!("no kernel `{name}`")).1
 }
 
-/// What is said of a doctored kernel.
+/// What the generated text of the kernel `family::name` proves, of each result.
+///
+/// # Errors
+///
+/// What it does not prove.
 ///
 /// # Panics
 ///
-/// Its bounds are proved.
-pub fn refusal(family: &str, kernel: &str, from: &str, to: &str) -> String {
-    match check_text(&doctored(family, kernel, from, to)) {
-        Ok(bounds) => panic!("`{from}` as `{to}` in `{family}::{kernel}` is proved: {bounds:?}"),
+/// There is no such kernel.
+pub fn proved(name: &str) -> Result<Vec<ResultBound>, TextError> {
+    let (family, own) = name.split_once("::").unwrap_or_else(|| panic!("`{name}` has no family"));
+    check_text(&kernel(&generated(family), own))
+}
+
+/// What is said of a kernel with every `from` in its text replaced.
+///
+/// # Panics
+///
+/// There is no such kernel, or no `from` in it, or its bounds are proved.
+pub fn refusal(text: &str, name: &str, from: &str, to: &str) -> String {
+    let kernel = kernel(text, name);
+    assert!(kernel.contains(from), "no `{from}` in `{name}`");
+    match check_text(&kernel.replace(from, to)) {
+        Ok(bounds) => panic!("`{from}` as `{to}` in `{name}` is proved: {bounds:?}"),
         Err(refused) => refused.to_string(),
     }
 }

@@ -135,4 +135,13 @@ impl Report {
             }
         }
     }
+
+    /// How many points there were and the worst error of each result, in a line.
+    pub fn told(&self, judge: &Judge) -> String {
+        let each = self.worst.iter().enumerate().map(|(result, worst)| {
+            let (name, bound) = (judge.kernel.info.results[result].name, judge.bound(result));
+            format!("{name} {:.3} of {bound} ulp", worst.ulp)
+        });
+        format!("{} points: {}", self.points, each.collect::<Vec<_>>().join(", "))
+    }
 }

@@ -31,21 +31,24 @@ pub struct Family<'a> {
 pub fn families<'a>(kernels: &[&'a Info]) -> Vec<Family<'a>> {
     let mut names: BTreeSet<String> = kernels.iter().map(|info| info.family.to_owned()).collect();
     ["toml", "ref", "tsv", "mac"].iter().for_each(|extension| names.extend(worksheets::families(extension)));
-    let family = |name: String| Family {
-        kernels: kernels.iter().filter(|info| info.family == name).copied().collect(),
-        contracts: contract::load(&name),
-        references: References::load(&name),
-        golden: golden::load(&name),
-        name,
-    };
-    names.into_iter().map(family).collect()
+    names.iter().map(|name| Family::load(name, kernels)).collect()
 }
 
-impl Family<'_> {
-    /// One line for everything that is missing.
-    pub fn gaps(&self) -> Vec<String> {
+impl<'a> Family<'a> {
+    /// All that exists for the family of this name, of whose kernels these are some.
+    pub fn load(name: &str, kernels: &[&'a Info]) -> Self {
+        Family {
+            name: name.to_owned(),
+            kernels: kernels.iter().filter(|info| info.family == name).copied().collect(),
+            contracts: contract::load(name),
+            references: References::load(name),
+            golden: golden::load(name),
+        }
+    }
+
+    /// One line for everything that has no kernel.
+    pub fn strangers(&self) -> Vec<String> {
         let mut gaps = Vec::new();
-        self.kernels.iter().for_each(|info| self.gaps_of(info, &mut gaps));
         let kernels: BTreeSet<&str> = self.kernels.iter().map(|info| info.name).collect();
         let of_kernels = self.kernels.iter().flat_map(|info| info.results).map(|result| result.worksheet);
         let worksheets: BTreeSet<&str> = of_kernels.collect();
@@ -57,7 +60,9 @@ impl Family<'_> {
         gaps.into_iter().map(|gap| format!("{}: {gap}", self.name)).collect()
     }
 
-    fn gaps_of(&self, info: &Info, gaps: &mut Vec<String>) {
+    /// One line for everything that a kernel lacks.
+    pub fn gaps_of(&self, info: &Info) -> Vec<String> {
+        let mut gaps = Vec::new();
         let worksheets: Vec<&str> = info.results.iter().map(|result| result.worksheet).collect();
         match self.contracts.iter().find(|contract| contract.name == info.name) {
             None => gaps.push(format!("no contract for {}", info.name)),
@@ -78,6 +83,7 @@ impl Family<'_> {
                 gaps.push(format!("no bound for `{}` of {}", result.name, info.name));
             }
         }
+        gaps
     }
 }
 

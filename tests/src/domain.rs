@@ -1,4 +1,4 @@
-//! The domain of a kernel, decided exactly from the texts of its conditions.
+//! The domain of a kernel, decided exactly from the texts of its conditions: a twin of the project's, on purpose.
 
 use closedform::Info;
 use closedform_maxima::ast::BinaryOperator;

@@ -3,10 +3,10 @@
 use std::fmt;
 
 use closedform::Info;
+use closedform_project::hexfloat;
 use rug::Float;
 
 use crate::check::Judge;
-use crate::hex;
 use crate::ulp::{self, F64};
 
 /// A result that is farther from its exact value than promised.
@@ -42,14 +42,14 @@ impl Failure {
 pub fn replay(info: &Info, inputs: &[f64]) -> String {
     let inputs = info.inputs.iter().zip(inputs);
     let assignments: Vec<String> =
-        inputs.map(|(input, value)| format!("{}={}", input.maxima, hex::print(*value))).collect();
+        inputs.map(|(input, value)| format!("{}={}", input.maxima, hexfloat::print(*value))).collect();
     format!("closedform eval {} {} --digits 40", info.name, assignments.join(" "))
 }
 
 /// Inputs in decimal and hexadecimal, one a line.
 pub fn list(info: &Info, inputs: &[f64]) -> String {
     let inputs = info.inputs.iter().zip(inputs);
-    inputs.map(|(input, value)| format!("  {:<10} {value:?} = {}\n", input.maxima, hex::print(*value))).collect()
+    inputs.map(|(input, value)| format!("  {:<10} {value:?} = {}\n", input.maxima, hexfloat::print(*value))).collect()
 }
 
 impl fmt::Display for Failure {
@@ -59,8 +59,8 @@ impl fmt::Display for Failure {
         let bound = result.bound_ulp.unwrap_or(f64::NAN);
         writeln!(f, "{} breaks the bound of `{}`", info.name, result.name)?;
         f.write_str(&list(info, inputs))?;
-        writeln!(f, "  {:<10} {exact:.40} = {}", "expected", hex::print(exact.to_f64()))?;
-        writeln!(f, "  {:<10} {actual:?} = {}", "actual", hex::print(*actual))?;
+        writeln!(f, "  {:<10} {exact:.40} = {}", "expected", hexfloat::print(exact.to_f64()))?;
+        writeln!(f, "  {:<10} {actual:?} = {}", "actual", hexfloat::print(*actual))?;
         writeln!(f, "  {:<10} {:.3} ulp, bound {bound} ulp", "error", self.ulp())?;
         writeln!(f, "  {:<10} {origin}", "from")?;
         write!(f, "  {:<10} {}", "replay", replay(info, inputs))

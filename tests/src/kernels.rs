@@ -20,7 +20,8 @@ pub fn judge_of(name: &str) -> Judge {
     judge(all().find(|kernel| kernel.info.name == name).unwrap_or_else(|| panic!("no kernel `{name}`")))
 }
 
-fn judge(kernel: &'static Kernel) -> Judge {
+/// The judge of a kernel, by the references of its family.
+pub fn judge(kernel: &'static Kernel) -> Judge {
     let references = References::load(kernel.info.family);
     Judge::new(kernel, &references).unwrap_or_else(|missing| panic!("{missing}"))
 }

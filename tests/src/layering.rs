@@ -63,6 +63,12 @@ pub fn names(file: &Source, what: &str) -> bool {
     code(&file.text).any(|line| line.contains(what))
 }
 
+/// What follows each mention of `start` outside comments, to the end of its line.
+pub fn named_after<'a>(file: &'a Source, start: &'a str) -> impl Iterator<Item = &'a str> {
+    let mentions = code(&file.text).flat_map(move |line| line.split(start).skip(1));
+    mentions.filter(|rest| !rest.starts_with('"'))
+}
+
 fn code(text: &str) -> impl Iterator<Item = &str> {
     text.lines().filter_map(|line| line.split("//").next())
 }

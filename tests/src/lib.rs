@@ -1,7 +1,8 @@
 //! The judges: what kernels are measured against, on which inputs, and how hard.
 //!
 //! Nothing here shares code with the generator: references are Maxima's own text evaluated in MPFR, golden values are
-//! Maxima's own numbers, and domains are decided exactly.
+//! Maxima's own numbers, and domains are decided exactly. File formats, hexadecimal floats and the stream of random numbers
+//! are the project's.
 
 pub mod algebra;
 pub mod assembly;
@@ -17,7 +18,7 @@ pub mod cycles;
 pub mod domain;
 pub mod failure;
 pub mod golden;
-pub mod hex;
+pub mod harness;
 pub mod hunt;
 pub mod inputs;
 pub mod kept;
@@ -25,8 +26,10 @@ pub mod kernels;
 pub mod laws;
 pub mod layering;
 pub mod links;
+pub mod magnitudes;
 pub mod parallel;
 pub mod plain;
+pub mod printing;
 pub mod random;
 pub mod rational;
 pub mod reference;
@@ -35,7 +38,6 @@ pub mod scan;
 pub mod shapes;
 pub mod strategy;
 pub mod sweep;
-pub mod table;
 pub mod tidy;
 pub mod ulp;
 pub mod worksheets;

@@ -1,4 +1,4 @@
-//! A small generator of random numbers: the same numbers for the same seed, on every platform.
+//! Random numbers of the judges: the same for the same seed and purpose, on every platform.
 
 use std::env;
 
@@ -13,9 +13,9 @@ pub fn seed() -> u64 {
     }
 }
 
-/// SplitMix64.
+/// The project's stream of random numbers, by purpose, with what makers of inputs ask of it.
 #[derive(Clone, Debug)]
-pub struct Random(u64);
+pub struct Random(closedform_project::sample::Random);
 
 impl Random {
     /// Numbers that depend on `seed` and on `purpose`, so that kernels and makers do not share theirs.
@@ -24,20 +24,17 @@ impl Random {
         let hash = purpose
             .bytes()
             .fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3));
-        Random(hash ^ seed)
+        Random(closedform_project::sample::Random::new(hash ^ seed))
     }
 
     /// 64 random bits.
     pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
+        self.0.bits()
     }
 
     /// A number below `count`.
     pub fn below(&mut self, count: usize) -> usize {
-        (self.bits() % count as u64) as usize
+        self.0.below(count as u64) as usize
     }
 
     /// A real from 0 to less than 1.
@@ -57,6 +54,6 @@ impl Random {
 
     /// One of `items`.
     pub fn pick<'a, T>(&mut self, items: &'a [T]) -> &'a T {
-        &items[self.below(items.len())]
+        self.0.pick(items)
     }
 }

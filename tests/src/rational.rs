@@ -1,4 +1,4 @@
-//! Maxima expressions and conditions decided exactly, in rational arithmetic.
+//! Maxima expressions and conditions decided exactly, in rational arithmetic: a twin of the project's, on purpose.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;

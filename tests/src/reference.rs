@@ -1,4 +1,5 @@
-//! The oracle: what Maxima derived, evaluated in MPFR at a precision raised until it stops to matter.
+//! The oracle, a twin of the commands' own on purpose: what Maxima derived, in MPFR at a precision raised until the digits
+//! that count no longer change.
 
 use std::collections::BTreeMap;
 

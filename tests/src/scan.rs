@@ -43,6 +43,12 @@ pub fn families() -> Vec<String> {
     worksheets::families_in("scan", "toml")
 }
 
+/// The rows of all families that name kernels, each with its family.
+pub fn rows() -> Vec<(String, Row)> {
+    let rows = |family: String| load(&family).into_iter().map(move |row| (family.clone(), row));
+    families().into_iter().flat_map(rows).collect()
+}
+
 /// The rows of a family that name kernels.
 ///
 /// # Panics

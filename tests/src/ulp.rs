@@ -1,4 +1,4 @@
-//! Distances in units in the last place.
+//! Distances in units in the last place: a twin of the commands' own, on purpose, so that one mistake is not in both.
 
 use rug::Float;
 

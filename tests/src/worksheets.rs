@@ -23,8 +23,13 @@ pub fn families_in(below: &str, extension: &str) -> Vec<String> {
     names
 }
 
+/// Where `FAMILY.extension` is.
+pub fn path(family: &str, extension: &str) -> PathBuf {
+    folder().join(format!("{family}.{extension}"))
+}
+
 /// The text of `FAMILY.extension`.
 pub fn read(family: &str, extension: &str) -> String {
-    let path = folder().join(format!("{family}.{extension}"));
+    let path = path(family, extension);
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}; run `closedform derive`", path.display()))
 }

@@ -7,7 +7,7 @@ use closedform_tests::layering::{self, Edge};
 use closedform_tests::workspace::{self, Source};
 
 /// What crates may depend on, among those of the workspace.
-const CRATES: [(&str, &str); 47] = [
+const CRATES: [(&str, &str); 48] = [
     ("closedform", "closedform-arith"),
     ("closedform", "closedform-derive"),
     ("closedform-bounds", "closedform-arith"),
@@ -54,6 +54,7 @@ const CRATES: [(&str, &str); 47] = [
     ("closedform-tests", "closedform-bounds"),
     ("closedform-tests", "closedform-kernels"),
     ("closedform-tests", "closedform-maxima"),
+    ("closedform-tests", "closedform-project"),
     ("closedform-tests", "closedform-syntax"),
 ];
 
@@ -183,9 +184,25 @@ fn users_build_no_computer_algebra() {
 #[test]
 fn judges_share_nothing_with_the_generator() {
     let built = layering::built_by_users_of("closedform-tests");
-    let generator =
-        ["closedform-generator", "closedform-project", HEAVY[0]].into_iter().find(|name| built.contains(*name));
+    let generator = ["closedform-generator", HEAVY[0]].into_iter().find(|name| built.contains(*name));
     assert_eq!(generator, None, "closedform-tests depends on it");
+}
+
+/// What the judges may name of the project: file formats, hexadecimal floats and random numbers. Domains, references and
+/// samples are their own.
+const SHARED: [&str; 5] = ["contract::", "golden::", "hexfloat", "kept::", "sample::Random"];
+
+#[test]
+fn judges_share_formats_with_the_project_and_no_decisions() {
+    let files = workspace::files();
+    let mut shared = BTreeSet::new();
+    for file in layering::within(&files, "tests/").into_iter().filter(|file| file.path.ends_with(".rs")) {
+        for named in layering::named_after(file, "closedform_project::") {
+            let known = SHARED.into_iter().find(|shared| named.starts_with(shared));
+            shared.insert(known.unwrap_or_else(|| panic!("{} names of the project: {named}", file.path)));
+        }
+    }
+    assert_eq!(shared, BTreeSet::from(SHARED), "strike the others out of SHARED");
 }
 
 #[test]

@@ -29,7 +29,7 @@ fn a_listed_mutant_must_survive() {
     let list = project.path().join("tests/EQUIVALENT.toml");
     std::fs::write(
         &list,
-        "[[equivalent]]\nkernel = \"fly_axis::a1_in\"\nwas = \"2.0 * v1_diff / t_in\"\nis = [\"v1_diff / t_in\"]\nreason = \"none\"\n",
+        "[[equivalent]]\nkernel = \"fly_axis::a1_in\"\nstep = \"result\"\nmistakes = [\"first operand alone\"]\nreason = \"none\"\n",
     )
     .unwrap();
     let said = fails(project.path(), &["mutants", "fly_axis::a1_in"]);

@@ -13,8 +13,9 @@ use thiserror::Error;
 
 use crate::accuracy::{REFERENCE_BITS, Reference, ReferenceError, ValueError, covers, results, ulp_error, ulp_text};
 use crate::catalogue::{Catalogue, DomainError, Entry};
-use crate::kept::{KeptError, KeptInputs};
+use crate::kept::KeptInputs;
 use closedform_project::hexfloat;
+use closedform_project::kept::KeptError;
 use closedform_project::sample::{EmptyDomain, sample};
 use closedform_system::scratch;
 

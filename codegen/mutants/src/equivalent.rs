@@ -8,6 +8,7 @@ use serde::Deserialize;
 
 use super::error::MutateError;
 use super::exam::Outcome;
+use super::mistake::{Mistake, Nth};
 use super::place::Change;
 use closedform_project::ReadError;
 
@@ -22,17 +23,28 @@ pub struct Equivalents {
     equivalent: Vec<Entry>,
 }
 
-/// Mutants of one statement that are the same function for one reason.
+/// Mutants of one step that are the same function for one reason.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Entry {
     kernel: String,
-    was: String,
-    is: Vec<String>,
-    /// Whether it leaves a branch out that is never taken: mutants of that branch are the same function too.
+    step: String,
+    mistakes: Vec<String>,
+    /// Whether they leave branches out that are never taken: mutants of these are the same function too.
     #[serde(default)]
     unreached: bool,
     reason: String,
+}
+
+impl Entry {
+    fn mistakes(&self) -> impl Iterator<Item = Mistake> + '_ {
+        self.mistakes.iter().map(|kind| Mistake { step: self.step.clone(), kind: Nth::parse(kind) })
+    }
+
+    fn is_about(&self, kernel: &str, change: &Change) -> bool {
+        let named = || self.mistakes().any(|mistake| mistake == change.mistake);
+        self.kernel == kernel && self.unreached == change.unreached && named()
+    }
 }
 
 /// An entry whose mutant is gone, or killed.
@@ -40,10 +52,8 @@ struct Entry {
 pub struct Unneeded {
     /// The kernel.
     pub kernel: String,
-    /// The statement of the kernel.
-    pub was: String,
-    /// The statement of the mutant.
-    pub is: String,
+    /// The mistake.
+    pub mistake: Mistake,
 }
 
 impl Equivalents {
@@ -70,17 +80,14 @@ impl Equivalents {
 
     /// Why a mutant is the same function, if the list says so.
     pub fn reason(&self, kernel: &str, change: &Change) -> Option<&str> {
-        self.entry(kernel, change).map(|entry| entry.reason.as_str())
+        let entry = self.equivalent.iter().find(|entry| entry.is_about(kernel, change));
+        entry.map(|entry| entry.reason.as_str())
     }
 
-    fn entry(&self, kernel: &str, change: &Change) -> Option<&Entry> {
-        let of_statement = self.equivalent.iter().filter(|entry| entry.kernel == kernel && entry.was == change.was);
-        { of_statement }.find(|entry| entry.is.contains(&change.is))
-    }
-
-    /// Whether a mutant leaves out what is never reached, as the list says.
-    pub fn is_unreached(&self, kernel: &str, change: &Change) -> bool {
-        self.entry(kernel, change).is_some_and(|entry| entry.unreached)
+    /// The mistakes of a kernel that leave out what is never reached, each one made in what those before it leave.
+    pub fn unreached(&self, kernel: &str) -> impl Iterator<Item = Mistake> {
+        let entries = self.equivalent.iter().filter(move |entry| entry.unreached && entry.kernel == kernel);
+        entries.flat_map(Entry::mistakes)
     }
 
     /// What the list says beyond the mutants that survived, of kernels that were judged, and of all others if `every`
@@ -88,15 +95,83 @@ impl Equivalents {
     pub fn unneeded(&self, outcomes: &[Outcome], every: bool) -> Vec<Unneeded> {
         let judged = |entry: &&Entry| every || outcomes.iter().any(|outcome| outcome.kernel == entry.kernel);
         let listed = self.equivalent.iter().filter(judged);
-        let listed = listed.flat_map(|entry| entry.is.iter().map(|is| unneeded(&entry.kernel, &entry.was, is)));
-        let survived = |listed: &Unneeded| {
-            let own = outcomes.iter().filter(|outcome| outcome.kernel == listed.kernel);
-            { own }.any(|outcome| outcome.survivors().any(|change| change.was == listed.was && change.is == listed.is))
+        let listed = listed.flat_map(|entry| entry.mistakes().map(move |mistake| (entry, mistake)));
+        let survived = |entry: &Entry, mistake: &Mistake| {
+            let own = outcomes.iter().filter(|outcome| outcome.kernel == entry.kernel);
+            let mut survivors = own.flat_map(Outcome::survivors);
+            survivors.any(|change| change.unreached == entry.unreached && change.mistake == *mistake)
         };
-        listed.filter(|listed| !survived(listed)).collect()
+        let unneeded = listed.filter(|(entry, mistake)| !survived(entry, mistake));
+        unneeded.map(|(entry, mistake)| Unneeded { kernel: entry.kernel.clone(), mistake }).collect()
     }
 }
 
-fn unneeded(kernel: &str, was: &str, is: &str) -> Unneeded {
-    Unneeded { kernel: kernel.to_owned(), was: was.to_owned(), is: is.to_owned() }
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exam::Verdict;
+
+    const LIST: &str = "
+[[equivalent]]
+kernel = 'a::f'
+step = 'let root'
+mistakes = ['>= as >', 'number doubled #2']
+reason = 'r'
+
+[[equivalent]]
+kernel = 'a::f'
+step = 'result'
+mistakes = ['first branch alone']
+unreached = true
+reason = 'u'
+";
+
+    fn change(step: &str, kind: &str, unreached: bool) -> Change {
+        let mistake = Mistake { step: step.to_owned(), kind: Nth::parse(kind) };
+        Change { unreached, ..Change::new(1, mistake, String::new(), String::new()) }
+    }
+
+    #[test]
+    fn mutants_are_found_by_kernel_step_and_mistake() {
+        let list = Equivalents::parse(LIST).unwrap();
+        assert_eq!(list.reason("a::f", &change("let root", "number doubled #2", false)), Some("r"));
+        for (kernel, step, kind, unreached) in [
+            ("a::g", "let root", ">= as >", false),
+            ("a::f", "result", ">= as >", false),
+            ("a::f", "let root", "number doubled", false),
+            ("a::f", "let root", ">= as >", true),
+            ("a::f", "result", "first branch alone", false),
+        ] {
+            assert_eq!(list.reason(kernel, &change(step, kind, unreached)), None, "{kernel} {step} {kind}");
+        }
+        let unreached: Vec<String> = list.unreached("a::f").map(|mistake| mistake.to_string()).collect();
+        assert_eq!(unreached, ["result, first branch alone"]);
+        assert_eq!(list.unreached("a::g").count(), 0);
+    }
+
+    #[test]
+    fn what_did_not_survive_is_not_needed() {
+        let list = Equivalents::parse(LIST).unwrap();
+        let outcome = |verdict| Outcome {
+            kernel: "a::f".to_owned(),
+            mutants: vec![
+                (change("let root", ">= as >", false), Verdict::Survived),
+                (change("let root", "number doubled #2", false), verdict),
+                (change("result", "first branch alone", true), Verdict::Survived),
+            ],
+        };
+        let unneeded = |outcomes: &[Outcome], every: bool| -> Vec<String> {
+            list.unneeded(outcomes, every).iter().map(|entry| entry.mistake.to_string()).collect()
+        };
+        assert_eq!(unneeded(&[outcome(Verdict::Survived)], false), [""; 0]);
+        assert_eq!(unneeded(&[outcome(Verdict::Killed)], false), ["let root, number doubled #2"]);
+        assert_eq!(unneeded(&[], false), [""; 0]);
+        assert_eq!(unneeded(&[], true).len(), 3);
+    }
+
+    #[test]
+    fn entries_by_text_are_refused() {
+        let by_text = "[[equivalent]]\nkernel = 'a::f'\nwas = 'x'\nis = ['y']\nreason = 'r'\n";
+        assert!(Equivalents::parse(by_text).is_err());
+    }
 }

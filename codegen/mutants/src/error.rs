@@ -7,8 +7,8 @@ use thiserror::Error;
 
 use closedform_measure::accuracy::ReferenceError;
 use closedform_measure::catalogue::{CatalogueError, DomainError};
-use closedform_measure::kept::KeptError;
 use closedform_project::ReadError;
+use closedform_project::kept::KeptError;
 use closedform_project::sample::EmptyDomain;
 
 /// Why the mutants of a kernel cannot be judged.
@@ -60,7 +60,9 @@ pub enum MutateError {
     },
     /// The list of equivalent mutants is not one.
     #[error("{} is no list of equivalent mutants: {cause}", path.display())]
-    #[diagnostic(help("an entry is [[equivalent]] with kernel, was, is = [\"..\"] and reason"))]
+    #[diagnostic(help(
+        "an entry is [[equivalent]] with kernel, step, mistakes = [\"..\"] and reason, as `closedform mutants` names them"
+    ))]
     Equivalents {
         /// The file.
         path: PathBuf,

@@ -121,18 +121,17 @@ pub fn examine(entry: &Entry, lists: &Lists, effort: Effort, seed: u64) -> Resul
     let mut mutants_judged = Vec::new();
     let mut kernel = entry.kernel.clone();
     // Branches that are never taken are left out one by one, lest all that is in them survives.
-    while let Some(reached) = unreached(&name, &kernel, equivalents) {
-        mutants_judged.push((reached.change.clone(), verdict(&kernel, &reached, false)?));
-        kernel = reached.kernel;
+    for mistake in equivalents.unreached(&name) {
+        let Some(mut left) = mutants(&kernel).into_iter().find(|mutant| mutant.change.mistake == mistake) else {
+            continue;
+        };
+        left.change.unreached = true;
+        mutants_judged.push((left.change.clone(), verdict(&kernel, &left, false)?));
+        kernel = left.kernel;
     }
     for mutant in mutants(&kernel) {
         let verdict = verdict(&kernel, &mutant, true)?;
         mutants_judged.push((mutant.change, verdict));
     }
     Ok(Outcome { kernel: name, mutants: mutants_judged })
-}
-
-/// The first mutant that leaves out what is never reached.
-fn unreached(name: &str, kernel: &Kernel, equivalents: &Equivalents) -> Option<Mutant> {
-    mutants(kernel).into_iter().find(|mutant| equivalents.is_unreached(name, &mutant.change))
 }

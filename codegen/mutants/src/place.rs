@@ -3,6 +3,8 @@
 use closedform_syntax::{Condition, Expr, Kernel, Output, condition_text, expression_text};
 use proc_macro2::Span;
 
+use super::mistake::Mistake;
+
 /// A statement of a kernel that can be mutated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
@@ -19,10 +21,21 @@ pub enum Part {
 pub struct Change {
     /// The line of the generated file.
     pub line: usize,
+    /// The mistake.
+    pub mistake: Mistake,
+    /// Whether it leaves out a branch that is listed as never taken; what follows is made of what it leaves.
+    pub unreached: bool,
     /// The statement of the kernel.
     pub was: String,
     /// The statement of the mutant.
     pub is: String,
+}
+
+impl Change {
+    /// What a mistake changed of a statement.
+    pub fn new(line: usize, mistake: Mistake, was: String, is: String) -> Self {
+        Change { line, mistake, unreached: false, was, is }
+    }
 }
 
 impl Part {
@@ -31,6 +44,16 @@ impl Part {
         let requires = (0..kernel.requires.len()).map(Part::Require);
         let lets = (0..kernel.lets.len()).map(Part::Let);
         requires.chain(lets).chain((0..kernel.output.values().count()).map(Part::Result)).collect()
+    }
+
+    /// The step that the statement is, by which its mistakes are called.
+    pub fn step(self, kernel: &Kernel) -> String {
+        match (self, &kernel.output) {
+            (Part::Require(at), _) => format!("condition {}", at + 1),
+            (Part::Let(at), _) => format!("let {}", kernel.lets[at].name),
+            (Part::Result(_), Output::Value(_)) => "result".to_owned(),
+            (Part::Result(at), Output::Struct { fields, .. }) => format!("result {}", fields[at].0),
+        }
     }
 
     /// The statement as text.

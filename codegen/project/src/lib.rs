@@ -12,6 +12,7 @@ pub mod folder;
 pub mod generated;
 pub mod golden;
 pub mod hexfloat;
+pub mod kept;
 pub mod markdown;
 pub mod maxima_process;
 pub mod root;

@@ -21,6 +21,8 @@ pub struct Row {
 
 #[derive(Debug, Serialize)]
 struct Listed {
+    step: String,
+    mistake: String,
     was: String,
     is: String,
     reason: String,
@@ -29,6 +31,8 @@ struct Listed {
 #[derive(Debug, Serialize)]
 struct Survivor {
     place: String,
+    step: String,
+    mistake: String,
     was: String,
     is: String,
 }
@@ -39,7 +43,9 @@ impl Row {
         let count = |wanted: Verdict| outcome.mutants.iter().filter(|(_, verdict)| *verdict == wanted).count();
         let reason = |change: &Change| equivalents.reason(&outcome.kernel, change);
         let listed = outcome.survivors().filter_map(|change| Some((change, reason(change)?)));
-        let listed = listed.map(|(Change { was, is, .. }, reason)| Listed {
+        let listed = listed.map(|(Change { mistake, was, is, .. }, reason)| Listed {
+            step: mistake.step.clone(),
+            mistake: mistake.kind.to_string(),
             was: was.clone(),
             is: is.clone(),
             reason: reason.to_owned(),
@@ -68,7 +74,8 @@ impl Row {
 impl Survivor {
     fn new(outcome: &Outcome, change: &Change) -> Self {
         let place = format!("{} at line {} of {}.rs", outcome.kernel, change.line, outcome.family());
-        Survivor { place, was: change.was.clone(), is: change.is.clone() }
+        let (step, mistake) = (change.mistake.step.clone(), change.mistake.kind.to_string());
+        Survivor { place, step, mistake, was: change.was.clone(), is: change.is.clone() }
     }
 }
 
@@ -83,10 +90,11 @@ pub fn text(rows: &[Row], unneeded: &[Unneeded]) -> String {
     table.add_row(cells("all", [0, 1, 2, 3, 4].map(sum)));
     let mut text = format!("{table}\n");
     for survivor in rows.iter().flat_map(|row| &row.survivors) {
-        let _ = writeln!(text, "\nsurvives: {}\n- {}\n+ {}", survivor.place, survivor.was, survivor.is);
+        let Survivor { place, step, mistake, was, is } = survivor;
+        let _ = writeln!(text, "\nsurvives: {place}\n  step = \"{step}\", mistakes = [\"{mistake}\"]\n- {was}\n+ {is}");
     }
-    for Unneeded { kernel, was, is } in unneeded {
-        let _ = writeln!(text, "\nlisted, but killed or gone: {kernel}\n- {was}\n+ {is}");
+    for Unneeded { kernel, mistake } in unneeded {
+        let _ = writeln!(text, "\nlisted, but killed or gone: {kernel}, {mistake}");
     }
     text
 }

@@ -7,7 +7,7 @@ pub mod builder;
 pub mod candidate;
 mod comparison;
 pub mod forms;
-mod nest;
+pub mod nest;
 pub mod passes;
 mod quotient;
 pub mod rule;

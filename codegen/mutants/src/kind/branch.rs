@@ -2,13 +2,15 @@
 
 use closedform_syntax::{Condition, Expr};
 
+use crate::mistake::Wrong;
+
 /// What may stand for a choice; its condition has mutations of its own.
-pub fn mutations(expr: &Expr) -> Vec<Expr> {
+pub fn mutations(expr: &Expr) -> Vec<Wrong<Expr>> {
     match expr {
         Expr::If { condition, then, otherwise } => vec![
-            (**then).clone(),
-            (**otherwise).clone(),
-            choice((**condition).clone(), (**otherwise).clone(), (**then).clone()),
+            Wrong::new("first branch alone", (**then).clone()),
+            Wrong::new("second branch alone", (**otherwise).clone()),
+            Wrong::new("branches swapped", choice((**condition).clone(), (**otherwise).clone(), (**then).clone())),
         ],
         _ => Vec::new(),
     }

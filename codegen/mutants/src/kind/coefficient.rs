@@ -5,18 +5,30 @@ use std::f64::consts::PI;
 use closedform_syntax::Expr;
 use proc_macro2::Span;
 
+use crate::mistake::Wrong;
+
 /// A relative change far above every bound, and far below what is seen without looking for it.
 const SMALL: f64 = 1.0 / (1_u64 << 40) as f64;
 
 /// What may stand for a number.
-pub fn mutations(expr: &Expr) -> Vec<Expr> {
+pub fn mutations(expr: &Expr) -> Vec<Wrong<Expr>> {
     let (value, span) = match expr {
         Expr::Literal { value, span } => (*value, *span),
         Expr::Pi(span) => (PI, *span),
         _ => return Vec::new(),
     };
-    let others = [value * 2.0, value / 2.0, value + 1.0, value - 1.0, 0.0, 1.0, -value, value + value * SMALL];
-    others.into_iter().filter(|other| *other != value).map(|other| number(other, span)).collect()
+    let others = [
+        ("number doubled", value * 2.0),
+        ("number halved", value / 2.0),
+        ("number plus 1", value + 1.0),
+        ("number minus 1", value - 1.0),
+        ("number as 0", 0.0),
+        ("number as 1", 1.0),
+        ("number negated", -value),
+        ("number off in its last digits", value + value * SMALL),
+    ];
+    let others = others.into_iter().filter(|(_, other)| *other != value);
+    others.map(|(kind, other)| Wrong::new(kind, number(other, span))).collect()
 }
 
 /// A number that stands beside `neighbour`.

@@ -4,36 +4,38 @@ use closedform_syntax::{Comparison, Condition, Expr};
 use proc_macro2::Span;
 
 use super::walk::{Place, Walk};
+use crate::mistake::Wrong;
 
-/// Every comparison operator.
-const ALL: [Comparison; 6] = [
-    Comparison::Less,
-    Comparison::LessEqual,
-    Comparison::Greater,
-    Comparison::GreaterEqual,
-    Comparison::Equal,
-    Comparison::NotEqual,
+/// Every comparison operator, as it is written.
+const ALL: [(Comparison, &str); 6] = [
+    (Comparison::Less, "<"),
+    (Comparison::LessEqual, "<="),
+    (Comparison::Greater, ">"),
+    (Comparison::GreaterEqual, ">="),
+    (Comparison::Equal, "=="),
+    (Comparison::NotEqual, "!="),
 ];
 
 /// What may stand for what a `require!` demands; nothing demanded is among it.
-pub fn required(condition: &Condition, walk: &Walk) -> Vec<Condition> {
+pub fn required(condition: &Condition, walk: &Walk) -> Vec<Wrong<Condition>> {
     let mut found = mutations(condition, walk);
-    found.push(always());
+    found.push(Wrong::new("condition dropped", always()));
     found
 }
 
 /// What may stand for a condition.
-pub fn mutations(condition: &Condition, walk: &Walk) -> Vec<Condition> {
+pub fn mutations(condition: &Condition, walk: &Walk) -> Vec<Wrong<Condition>> {
     let mut found = match condition {
         Condition::Compare { op, left, right } => compared(*op, left, right, walk),
         Condition::Not(inner) => {
-            let inside = mutations(inner, walk).into_iter().map(|inner| Condition::Not(inner.into()));
-            inside.chain([(**inner).clone()]).collect()
+            let inside = mutations(inner, walk).into_iter();
+            let inside = inside.map(|wrong| wrong.map(|inner| Condition::Not(inner.into())));
+            inside.chain([Wrong::new("not dropped", (**inner).clone())]).collect()
         }
-        Condition::And(left, right) => joined(left, right, Condition::And, Condition::Or, walk),
-        Condition::Or(left, right) => joined(left, right, Condition::Or, Condition::And, walk),
+        Condition::And(left, right) => joined([left, right], "&& as ||", [Condition::And, Condition::Or], walk),
+        Condition::Or(left, right) => joined([left, right], "|| as &&", [Condition::Or, Condition::And], walk),
     };
-    found.push(Condition::Not(condition.clone().into()));
+    found.push(Wrong::new("condition negated", Condition::Not(condition.clone().into())));
     found
 }
 
@@ -43,22 +45,37 @@ fn always() -> Condition {
     Condition::Compare { op: Comparison::Equal, left: zero(), right: zero() }
 }
 
-fn compared(op: Comparison, left: &Expr, right: &Expr, walk: &Walk) -> Vec<Condition> {
+fn text(op: Comparison) -> &'static str {
+    ALL.iter().find(|(other, _)| *other == op).map_or("", |(_, text)| text)
+}
+
+fn compared(op: Comparison, left: &Expr, right: &Expr, walk: &Walk) -> Vec<Wrong<Condition>> {
     let compare = |op, left: &Expr, right: &Expr| Condition::Compare { op, left: left.clone(), right: right.clone() };
-    let mut found: Vec<Condition> =
-        ALL.into_iter().filter(|other| *other != op).map(|other| compare(other, left, right)).collect();
-    found.push(compare(op, right, left));
-    found.extend(walk.expression(left, Place::Side).iter().map(|left| compare(op, left, right)));
-    found.extend(walk.expression(right, Place::Side).iter().map(|right| compare(op, left, right)));
+    let others = ALL.into_iter().filter(|(other, _)| *other != op);
+    let mut found: Vec<Wrong<Condition>> = others
+        .map(|(other, written)| Wrong::new(format!("{} as {written}", text(op)), compare(other, left, right)))
+        .collect();
+    found.push(Wrong::new("compared sides swapped", compare(op, right, left)));
+    let lefts = walk.expression(left, Place::Side).into_iter();
+    found.extend(lefts.map(|wrong| wrong.map(|left| compare(op, &left, right))));
+    let rights = walk.expression(right, Place::Side).into_iter();
+    found.extend(rights.map(|wrong| wrong.map(|right| compare(op, left, &right))));
     found
 }
 
 type Join = fn(Box<Condition>, Box<Condition>) -> Condition;
 
-fn joined(left: &Condition, right: &Condition, join: Join, other: Join, walk: &Walk) -> Vec<Condition> {
-    let (own, kept) = (|left: Condition| join(left.into(), right.clone().into()), left.clone());
-    let mut found: Vec<Condition> = mutations(left, walk).into_iter().map(own).collect();
-    found.extend(mutations(right, walk).into_iter().map(|right| join(kept.clone().into(), right.into())));
-    found.extend([left.clone(), right.clone(), other(left.clone().into(), right.clone().into())]);
+fn joined(parts: [&Condition; 2], exchanged: &str, joins: [Join; 2], walk: &Walk) -> Vec<Wrong<Condition>> {
+    let ([left, right], [join, other]) = (parts, joins);
+    let lefts = mutations(left, walk).into_iter();
+    let mut found: Vec<Wrong<Condition>> =
+        lefts.map(|wrong| wrong.map(|left| join(left.into(), right.clone().into()))).collect();
+    let rights = mutations(right, walk).into_iter();
+    found.extend(rights.map(|wrong| wrong.map(|right| join(left.clone().into(), right.into()))));
+    found.extend([
+        Wrong::new("first part alone", left.clone()),
+        Wrong::new("second part alone", right.clone()),
+        Wrong::new(exchanged, other(left.clone().into(), right.clone().into())),
+    ]);
     found
 }

@@ -6,13 +6,20 @@ use closedform_syntax::Expr;
 use super::coefficient::literal;
 use super::operator::negated;
 use super::walk::Place;
+use crate::mistake::Wrong;
 
 /// What may stand for a function, and a function for a name.
-pub fn mutations(expr: &Expr, place: Place) -> Vec<Expr> {
+pub fn mutations(expr: &Expr, place: Place) -> Vec<Wrong<Expr>> {
     match expr {
-        Expr::Sqrt(inner) => vec![(**inner).clone(), negated(expr)],
-        Expr::Abs(inner) => vec![(**inner).clone(), negated(expr)],
-        Expr::Name(_) if place == Place::Plain => vec![Expr::Sqrt(expr.clone().into())],
+        Expr::Sqrt(inner) => {
+            vec![Wrong::new("root dropped", (**inner).clone()), Wrong::new("root negated", negated(expr))]
+        }
+        Expr::Abs(inner) => {
+            vec![Wrong::new("magnitude dropped", (**inner).clone()), Wrong::new("magnitude negated", negated(expr))]
+        }
+        Expr::Name(_) if place == Place::Plain => {
+            vec![Wrong::new("name as its root", Expr::Sqrt(expr.clone().into()))]
+        }
         Expr::Extreme { largest, items } => extremes(*largest, items),
         Expr::PositiveRoot(coefficients) => left_out(coefficients),
         _ => Vec::new(),
@@ -20,26 +27,27 @@ pub fn mutations(expr: &Expr, place: Place) -> Vec<Expr> {
 }
 
 /// The other extreme, each item alone, and the extreme without one.
-fn extremes(largest: bool, items: &[Expr]) -> Vec<Expr> {
-    let mut found = vec![Expr::Extreme { largest: !largest, items: items.to_vec() }];
-    found.extend(items.iter().cloned());
+fn extremes(largest: bool, items: &[Expr]) -> Vec<Wrong<Expr>> {
+    let other = if largest { "max as min" } else { "min as max" };
+    let mut found = vec![Wrong::new(other, Expr::Extreme { largest: !largest, items: items.to_vec() })];
+    found.extend(items.iter().map(|item| Wrong::new("item alone", item.clone())));
     for at in (0..items.len()).filter(|_| items.len() > 2) {
         let mut items = items.to_vec();
         items.remove(at);
-        found.push(Expr::Extreme { largest, items });
+        found.push(Wrong::new("item left out", Expr::Extreme { largest, items }));
     }
     found
 }
 
 /// The polynomial with one coefficient zero, of one degree less, and backwards.
-fn left_out(coefficients: &[Expr]) -> Vec<Expr> {
-    let mut found: Vec<Vec<Expr>> = Vec::new();
+fn left_out(coefficients: &[Expr]) -> Vec<Wrong<Expr>> {
+    let mut found: Vec<Wrong<Vec<Expr>>> = Vec::new();
     for at in 0..coefficients.len() {
         let mut without = coefficients.to_vec();
         without[at] = literal(0.0, &without[at]);
-        found.push(without);
+        found.push(Wrong::new("coefficient as 0", without));
     }
-    found.push(coefficients.iter().skip(1).cloned().collect());
-    found.push(coefficients.iter().rev().cloned().collect());
-    found.into_iter().map(Expr::PositiveRoot).collect()
+    found.push(Wrong::new("degree lowered", coefficients.iter().skip(1).cloned().collect()));
+    found.push(Wrong::new("coefficients reversed", coefficients.iter().rev().cloned().collect()));
+    found.into_iter().map(|wrong| wrong.map(Expr::PositiveRoot)).collect()
 }

@@ -14,6 +14,7 @@ use std::collections::HashSet;
 
 use closedform_syntax::{Expr, Kernel, Output};
 
+use super::mistake::{Mistake, Nth, Wrong};
 use super::place::{Change, Part};
 use name::Names;
 use walk::{Place, Walk};
@@ -52,7 +53,7 @@ fn bare(kernel: &Kernel) -> Kernel {
 }
 
 /// What may stand for an expression, by every kind of mutation.
-fn expressions(expr: &Expr, place: Place, names: &Names) -> Vec<Expr> {
+fn expressions(expr: &Expr, place: Place, names: &Names) -> Vec<Wrong<Expr>> {
     let mut found = operator::mutations(expr, place);
     found.extend(coefficient::mutations(expr));
     found.extend(function::mutations(expr, place));
@@ -63,31 +64,38 @@ fn expressions(expr: &Expr, place: Place, names: &Names) -> Vec<Expr> {
 }
 
 fn of_part(kernel: &Kernel, part: Part, walk: &Walk) -> Vec<Mutant> {
-    let kernels: Vec<Kernel> = match part {
+    let kernels: Vec<Wrong<Kernel>> = match part {
         Part::Require(at) => {
             let conditions = condition::required(&kernel.requires[at].condition, walk).into_iter();
-            conditions.map(|condition| with(kernel, |kernel| kernel.requires[at].condition = condition)).collect()
+            let set = |condition| with(kernel, |kernel| kernel.requires[at].condition = condition);
+            conditions.map(|wrong| wrong.map(set)).collect()
         }
         Part::Let(at) => {
             let values = statement(&kernel.lets[at].value, walk).into_iter();
-            values.map(|value| with(kernel, |kernel| kernel.lets[at].value = value)).collect()
+            let set = |value| with(kernel, |kernel| kernel.lets[at].value = value);
+            values.map(|wrong| wrong.map(set)).collect()
         }
         Part::Result(at) => {
             let value = kernel.output.values().nth(at);
             let values = value.into_iter().flat_map(|value| statement(value, walk));
-            values.map(|value| with(kernel, |kernel| set_result(kernel, at, value))).collect()
+            let set = |value| with(kernel, |kernel| set_result(kernel, at, value));
+            values.map(|wrong| wrong.map(set)).collect()
         }
     };
-    let (line, was) = (part.line(kernel), part.text(kernel));
-    let mutant = |kernel: Kernel| Mutant { change: Change { line, was: was.clone(), is: part.text(&kernel) }, kernel };
-    kernels.into_iter().map(mutant).collect()
+    let (line, step, was) = (part.line(kernel), part.step(kernel), part.text(kernel));
+    let kinds = Nth::count(&kernels);
+    let mutant = |(Wrong { value: kernel, .. }, kind)| {
+        let mistake = Mistake { step: step.clone(), kind };
+        Mutant { change: Change::new(line, mistake, was.clone(), part.text(&kernel)), kernel }
+    };
+    kernels.into_iter().zip(kinds).map(mutant).collect()
 }
 
 /// What may stand for the value of a statement: another sign and a root besides what its parts allow.
-fn statement(value: &Expr, walk: &Walk) -> Vec<Expr> {
+fn statement(value: &Expr, walk: &Walk) -> Vec<Wrong<Expr>> {
     let mut values = walk.expression(value, Place::Plain);
-    values.push(operator::negated(value));
-    values.push(Expr::Sqrt(value.clone().into()));
+    values.push(Wrong::new("value negated", operator::negated(value)));
+    values.push(Wrong::new("value as its root", Expr::Sqrt(value.clone().into())));
     values
 }
 

@@ -2,6 +2,8 @@
 
 use closedform_syntax::{Expr, Kernel, Name};
 
+use crate::mistake::Wrong;
+
 /// The inputs of a kernel with their units.
 pub struct Names {
     inputs: Vec<(Name, Option<String>)>,
@@ -16,10 +18,12 @@ impl Names {
     }
 
     /// What may stand for a name.
-    pub fn mutations(&self, expr: &Expr) -> Vec<Expr> {
+    pub fn mutations(&self, expr: &Expr) -> Vec<Wrong<Expr>> {
         let Expr::Name(name) = expr else { return Vec::new() };
         let Some((_, unit)) = self.inputs.get(name.slot) else { return Vec::new() };
         let others = self.inputs.iter().filter(|(other, of)| other.slot != name.slot && of == unit);
-        others.map(|(other, _)| Expr::Name(other.clone())).collect()
+        others
+            .map(|(other, _)| Wrong::new(format!("{} as {}", name.ident, other.ident), Expr::Name(other.clone())))
+            .collect()
     }
 }

@@ -2,8 +2,9 @@
 
 use closedform_syntax::{Condition, Expr, Kernel, Output, Slice};
 
-use super::super::place::{Change, Part};
 use super::{Mutant, with};
+use crate::mistake::{Mistake, Nth};
+use crate::place::{Change, Part};
 
 /// The mutants that no single statement makes.
 pub fn mutants(kernel: &Kernel) -> Vec<Mutant> {
@@ -17,9 +18,10 @@ fn pairs(count: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..count).flat_map(move |one| (one + 1..count).map(move |other| (one, other)))
 }
 
-fn mutant(kernel: &Kernel, was: String, is: String, mutated: Kernel) -> Mutant {
-    let line = kernel.name.span().start().line;
-    Mutant { change: Change { line, was, is }, kernel: mutated }
+/// A mutant by its step and the kind of its mistake, of which there is one.
+fn mutant(kernel: &Kernel, (step, kind): (&str, &str), [was, is]: [String; 2], mutated: Kernel) -> Mutant {
+    let mistake = Mistake { step: step.to_owned(), kind: Nth::new(kind, 1) };
+    Mutant { change: Change::new(kernel.name.span().start().line, mistake, was, is), kernel: mutated }
 }
 
 /// Two inputs of one unit, each in the place of the other.
@@ -29,7 +31,8 @@ fn inputs(kernel: &Kernel) -> Vec<Mutant> {
     let swapped = alike.filter_map(|(one, other)| {
         let [first, second] = [one, other].map(|at| kernel.inputs[at].name.to_string());
         let mutated = Swap(one, other).kernel(kernel)?;
-        Some(mutant(kernel, format!("fn({first}, {second})"), format!("fn({second}, {first})"), mutated))
+        let texts = [format!("fn({first}, {second})"), format!("fn({second}, {first})")];
+        Some(mutant(kernel, ("inputs", &format!("{first} and {second} swapped")), texts, mutated))
     });
     swapped.collect()
 }
@@ -45,7 +48,8 @@ fn results(kernel: &Kernel) -> Vec<Mutant> {
             }
         });
         let texts = |kernel: &Kernel| [one, other].map(|at| Part::Result(at).text(kernel)).join(" ");
-        mutant(kernel, texts(kernel), texts(&mutated), mutated)
+        let kind = format!("{} and {} swapped", fields[one].0, fields[other].0);
+        mutant(kernel, ("results", &kind), [texts(kernel), texts(&mutated)], mutated)
     });
     swapped.collect()
 }
@@ -57,7 +61,8 @@ fn bounds(kernel: &Kernel) -> Vec<Mutant> {
         let bound = result.bound?;
         let mutated = with(kernel, |kernel| kernel.meta.results[at].bound = Some(bound / 2.0));
         let text = |bound: f64| format!("bound({} = {bound})", result.name);
-        Some(mutant(kernel, text(bound), text(bound / 2.0), mutated))
+        let kind = format!("bound of {} halved", result.name);
+        Some(mutant(kernel, ("bounds", &kind), [text(bound), text(bound / 2.0)], mutated))
     });
     lowered.collect()
 }
