@@ -12,6 +12,8 @@
 //   when: always; the factors are irreducible over the rationals, and common ones cancel
 // - gathered: steps that make a polynomial of the inputs are evaluated in double-double and rounded once
 //   when: a result of the kernel would be off by more than 4.5 ulp otherwise, or few roundings are asked for: it costs time
+// - known-sum: p(x, y, ..) = q(s, y, ..) with s = x + y, or s = x - y
+//   when: the domain gives the sign of s, all terms of q agree in sign, and s is one rounding of exact inputs
 
 use closedform::kernel;
 
@@ -126,7 +128,7 @@ pub fn turn_out(
     maxima = "rscn_d1In(tIn,v1Scan,v1Diff):=tIn*(3*v1Scan-v1Diff)/3",
     latex = "\\mathrm{rscn}_{d,1,\\mathrm{In}} = \\frac{t_{\\mathrm{In}}\\,\\left(3\\,v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)}{3}",
     source = "4.6 rscn_ax1_Tol_sol",
-    rules("factored", "gathered"),
+    rules("factored", "gathered", "known-sum"),
     bound = 2.01,
     certificate = "1-5f822c929042763f",
     result(worksheet = "rscn_d1In", unit = "m"),

@@ -178,7 +178,7 @@ pub fn t_o(
     maxima = "tIn_tE0(v1Scan,v1Diff,a1Max,delta):=positive_root(t^2*(8*(v1Scan-v1Diff)^2+12*v1Diff*(v1Scan-v1Diff)+4*v1Diff^2-3*a1Max^2*delta)+a1Max*t^3*(6*(v1Scan-v1Diff)+4*v1Diff)-12*delta*v1Diff^2-12*a1Max*delta*t*v1Diff+a1Max^2*t^4,t)",
     latex = "t_{\\mathrm{In},\\mathrm{tE},0} = \\operatorname{root}_{t>0}\\left(t^{2}\\,\\left(8\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)^{2}+12\\,v_{1,\\mathrm{Diff}}\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)+4\\,v_{1,\\mathrm{Diff}}^{2}-3\\,a_{1,\\mathrm{Max}}^{2}\\,\\delta\\right)+a_{1,\\mathrm{Max}}\\,t^{3}\\,\\left(6\\,\\left(v_{1,\\mathrm{Scan}}-v_{1,\\mathrm{Diff}}\\right)+4\\,v_{1,\\mathrm{Diff}}\\right)-12\\,\\delta\\,v_{1,\\mathrm{Diff}}^{2}-12\\,a_{1,\\mathrm{Max}}\\,\\delta\\,t\\,v_{1,\\mathrm{Diff}}+a_{1,\\mathrm{Max}}^{2}\\,t^{4}\\right)",
     source = "second numbering 2, %o259; 4.6",
-    rules("compensated", "factored", "falling-newton"),
+    rules("compensated", "factored", "falling-newton", "known-sum"),
     bound = 0.51,
     certificate = "1-5598b1a5d8ce454f",
     result(worksheet = "tIn_tE0", unit = "s"),

@@ -164,6 +164,10 @@ impl Graph {
         if !rules.contains(&rule) {
             rules.push(rule);
         }
+        // a minus may go into another step: what it stands before is made by the rule too
+        if let Op::Neg(inner) = *self.op(node) {
+            self.replace(node, inner);
+        }
     }
 
     /// Records that a node stands for several steps, fused into one rounding.

@@ -54,4 +54,14 @@ mod tests {
         graph.replace(root, product);
         assert_eq!(rules_reached(&graph, [product]), BTreeSet::from(["factored"]));
     }
+    #[test]
+    fn rules_of_a_minus_stay_where_it_goes_into_another_step() {
+        let mut graph = Graph::default();
+        let (x, y) = (graph.input(0, Sign::POSITIVE), graph.input(1, Sign::POSITIVE));
+        let sum = graph.add(x, y);
+        let turned = graph.neg(sum);
+        graph.mark(turned, "known-sum");
+        let difference = graph.sub(x, turned);
+        assert_eq!(rules_reached(&graph, [difference]), BTreeSet::from(["known-sum"]));
+    }
 }
