@@ -1,6 +1,6 @@
 //! The strategy: every rule, and the order in which they are tried.
 //!
-//! 1. Elements become steps by forms, the first that applies: [`FORMS`]. A later result may go through an earlier one.
+//! 1. Elements become steps by forms, the first that applies. A later result may go through an earlier one.
 //! 2. The root of an equation becomes steps by a solver: [`SOLVER`].
 //! 3. The finished program goes through passes: polynomials of many roundings are gathered, divisions are shared where the
 //!    contract asks for that. If that leaves too many roundings, the program in double-double is made too and taken.
