@@ -2,9 +2,10 @@
 //!
 //! Knuth, section 4.6.2; von zur Gathen and Gerhard, section 14.6 (Yun) and chapter 15.
 
+use super::arithmetic::Sparse;
 use super::gcd::{gcd, split_content};
 use super::recombine;
-use super::{Implementation, Sparse, Var};
+use crate::algebra::Var;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
@@ -73,7 +74,7 @@ fn derivative(polynomial: &Sparse, var: Var) -> Sparse {
     let coefficients = polynomial.coefficients(var).into_iter().zip(0..).skip(1);
     let slopes: Vec<Sparse> =
         coefficients.map(|(c, power)| c.scaled(&BigRational::from_integer(power.into()))).collect();
-    Sparse::of_coefficients(polynomial.size, &slopes, var)
+    Sparse::of_coefficients(polynomial.size(), &slopes, var)
 }
 
 /// The factors of a polynomial without repeated ones that is primitive in each of its variables.
@@ -100,7 +101,7 @@ fn without_homogeneity(polynomial: &Sparse) -> Option<Vec<Sparse>> {
     let var = polynomial.variables().into_iter().max_by_key(|&var| polynomial.degree(var))?;
     let homogeneous = |factor: Sparse| {
         let degree = factor.terms.keys().map(|exponents| total(exponents)).max().unwrap_or(0);
-        let mut made = Sparse::zero(factor.size);
+        let mut made = Sparse::zero(factor.size());
         for (exponents, coefficient) in factor.terms {
             let mut exponents = exponents;
             exponents[var.0] = degree - total(&exponents);
@@ -128,7 +129,7 @@ fn square_root(square: &Sparse) -> Option<Sparse> {
     let halves: Option<Vec<u16>> =
         exponents.iter().map(|exponent| (exponent % 2 == 0).then_some(exponent / 2)).collect();
     let leading = Sparse::term(&root_of_rational(coefficient)?, &halves?);
-    let highest: Vec<u16> = (0..square.size).map(|var| square.degree(Var(var)) / 2).collect();
+    let highest: Vec<u16> = (0..square.size()).map(|var| square.degree(Var(var)) / 2).collect();
     let mut root = leading.clone();
     loop {
         let rest = square.minus(&root.times(&root));

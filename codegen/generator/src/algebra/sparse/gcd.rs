@@ -3,8 +3,9 @@
 //! They are taken in one variable, and contents are those of the coefficients in the others: Knuth, algorithm 4.6.1E; von
 //! zur Gathen and Gerhard, section 6.12.
 
+use super::arithmetic::Sparse;
 use super::univariate::Field;
-use super::{Implementation, Sparse, Var};
+use crate::algebra::Var;
 use num_bigint::BigInt;
 
 /// A greatest common divisor, with coprime integers for coefficients.
@@ -36,9 +37,9 @@ pub fn gcd(a: &Sparse, b: &Sparse) -> Sparse {
 /// The greatest common divisor of the coefficients of the powers of a variable.
 pub fn content(polynomial: &Sparse, var: Var) -> Sparse {
     let one = polynomial.integer(1);
-    let mut common = Sparse::zero(polynomial.size);
+    let mut common = Sparse::zero(polynomial.size());
     let mut coefficients = polynomial.coefficients(var);
-    coefficients.sort_by_key(Implementation::count);
+    coefficients.sort_by_key(Sparse::count);
     for coefficient in coefficients.iter().filter(|coefficient| !coefficient.is_zero()) {
         common = gcd(&common, coefficient);
         if common == one {
@@ -83,7 +84,7 @@ fn pseudo_remainder(a: &Sparse, b: &Sparse, var: Var) -> Sparse {
             rest.pop();
         }
     }
-    Sparse::of_coefficients(a.size, &rest, var)
+    Sparse::of_coefficients(a.size(), &rest, var)
 }
 
 /// Whether an image modulo a prime, with numbers in place of the other variables, shows that no common factor contains

@@ -5,8 +5,9 @@
 //! of its factors modulo the prime: Knuth, section 4.6.2; von zur Gathen and Gerhard, section 15.3, of which this is the
 //! case of a prime that is beyond the coefficients of all factors.
 
+use super::arithmetic::Sparse;
 use super::univariate::{Field, Modular};
-use super::{Implementation, Sparse, Var};
+use crate::algebra::Var;
 use num_bigint::{BigInt, BigUint};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -111,9 +112,9 @@ impl Search {
     }
 
     fn candidate(&self, image: &[BigUint]) -> Sparse {
-        let mut candidate = Sparse::zero(self.rest.size);
+        let mut candidate = Sparse::zero(self.rest.size());
         for (exponent, coefficient) in image.iter().enumerate() {
-            let exponents = self.substitution.exponents(self.rest.size, exponent);
+            let exponents = self.substitution.exponents(self.rest.size(), exponent);
             candidate.insert(exponents, BigRational::from_integer(self.field.symmetric(coefficient)));
         }
         candidate.integral()

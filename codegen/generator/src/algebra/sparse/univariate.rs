@@ -3,7 +3,8 @@
 //! Factors are separated by their degrees and then those of one degree: Cantor and Zassenhaus; Knuth, section 4.6.2; von
 //! zur Gathen and Gerhard, sections 14.2 to 14.4.
 
-use super::{Sparse, Var};
+use super::arithmetic::Sparse;
+use crate::algebra::Var;
 use num_bigint::{BigInt, BigUint};
 use num_traits::{One, Zero};
 
