@@ -88,10 +88,14 @@ impl Program {
 
     /// Where it is: beside this command, or on the path.
     fn path(&self) -> Option<PathBuf> {
-        let name = format!("{}{}", self.name, std::env::consts::EXE_SUFFIX);
         let path = std::env::var_os("PATH").unwrap_or_default();
         let folders = own_folder().into_iter().chain(std::env::split_paths(&path));
-        folders.map(|folder| folder.join(&name)).find(|file| file.is_file())
+        folders.map(|folder| self.within(&folder)).find(|file| file.is_file())
+    }
+
+    /// Its file in a folder.
+    fn within(&self, folder: &Path) -> PathBuf {
+        folder.join(self.name).with_extension(std::env::consts::EXE_EXTENSION)
     }
 
     /// Who changes the source of a program in a checkout means the new one, though `cargo run` of this command does not build it.
@@ -118,7 +122,7 @@ impl Program {
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         cargo.args(["build", "--profile", &profile, "--target-dir"]).arg(folder.parent()?);
         cargo.arg("--manifest-path").arg(&manifest).args(["--package", self.name]);
-        manifest.is_file().then(|| (cargo, folder.join(self.name)))
+        manifest.is_file().then(|| (cargo, self.within(&folder)))
     }
 }
 

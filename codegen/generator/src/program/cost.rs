@@ -1,7 +1,7 @@
 //! What a program costs: its operations, counted once however often a step is used.
 
+use super::reach::reached;
 use super::{Graph, Node, Op, Wide};
-use std::collections::BTreeSet;
 
 /// Operation counts of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,30 +21,19 @@ pub struct Cost {
 /// The cost of everything that some nodes need.
 #[must_use]
 pub fn cost(graph: &Graph, nodes: &[Node]) -> Cost {
-    let mut seen = BTreeSet::new();
     let mut cost = Cost::default();
-    for &node in nodes {
-        visit(graph, node, &mut seen, &mut cost);
+    for node in reached(graph, nodes.iter().copied()) {
+        match graph.op(node) {
+            Op::Add(..) | Op::Sub(..) => cost.additions += 1,
+            Op::Mul(..) => cost.multiplications += 1,
+            Op::Div(..) => cost.divisions += 1,
+            Op::Sqrt(_) => cost.roots += 1,
+            Op::Compensated(wide) | Op::Residual(wide) => cost.wide += operations(wide),
+            Op::Input(_) | Op::Literal(_) | Op::Pi | Op::Neg(_) | Op::Abs(_) | Op::If(..) => {}
+            Op::Max(_) | Op::Min(_) | Op::PositiveRoot(_) => {}
+        }
     }
     cost
-}
-
-fn visit(graph: &Graph, node: Node, seen: &mut BTreeSet<Node>, cost: &mut Cost) {
-    if !seen.insert(node) {
-        return;
-    }
-    match graph.op(node) {
-        Op::Add(..) | Op::Sub(..) => cost.additions += 1,
-        Op::Mul(..) => cost.multiplications += 1,
-        Op::Div(..) => cost.divisions += 1,
-        Op::Sqrt(_) => cost.roots += 1,
-        Op::Compensated(wide) | Op::Residual(wide) => cost.wide += operations(wide),
-        Op::Input(_) | Op::Literal(_) | Op::Pi | Op::Neg(_) | Op::Abs(_) | Op::If(..) => {}
-        Op::Max(_) | Op::Min(_) | Op::PositiveRoot(_) => {}
-    }
-    for operand in graph.operands(node) {
-        visit(graph, operand, seen, cost);
-    }
 }
 
 fn operations(wide: &Wide) -> usize {
