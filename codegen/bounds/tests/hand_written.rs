@@ -79,6 +79,10 @@ fn roots_of_what_is_never_negative_are_proved() {
     }
     assert!(bound("require!(a > b); sqrt(a - b)").is_ok());
     assert!(bound("sqrt(a * a + b * b)").is_ok());
+    // a quotient has the sign of the product
+    let of_product =
+        |comparison: &str| bound(&format!("require!(b != 0.0); require!(a * b {comparison} 0.0); sqrt(a / b)"));
+    assert!(of_product(">=").is_ok() && of_product("<=").is_err() && of_product("!=").is_err());
 }
 
 #[test]
