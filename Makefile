@@ -12,8 +12,8 @@ SECONDS_EACH ?= 900
 
 run: tools
 	@echo "building the generator; the first time that takes some minutes, most of them for Symbolica and GMP"
-	$(CARGO) build --package closedform-symbolica
-	$(CARGO) run --package closedform-cli -- generate
+	$(CARGO) build --package closedform-symbolica --package closedform-cli
+	$${CARGO_TARGET_DIR:-target}/debug/closedform generate
 
 test: tools
 	$(CARGO) test --package closedform-symbolica

@@ -7,13 +7,14 @@ use closedform_tests::layering::{self, Edge};
 use closedform_tests::workspace::{self, Source};
 
 /// What crates may depend on, among those of the workspace.
-const CRATES: [(&str, &str); 48] = [
+const CRATES: [(&str, &str); 51] = [
     ("closedform", "closedform-arith"),
     ("closedform", "closedform-derive"),
     ("closedform-bounds", "closedform-arith"),
     ("closedform-bounds", "closedform-syntax"),
     ("closedform-cli", "closedform"),
     ("closedform-cli", "closedform-bounds"),
+    ("closedform-cli", "closedform-build"),
     ("closedform-cli", "closedform-errata"),
     ("closedform-cli", "closedform-generator"),
     ("closedform-cli", "closedform-maxima"),
@@ -43,9 +44,11 @@ const CRATES: [(&str, &str); 48] = [
     ("closedform-mutants", "closedform-measure"),
     ("closedform-mutants", "closedform-project"),
     ("closedform-mutants", "closedform-syntax"),
+    ("closedform-project", "closedform-build"),
     ("closedform-project", "closedform-maxima"),
     ("closedform-project", "closedform-syntax"),
     ("closedform-project", "closedform-system"),
+    ("closedform-symbolica", "closedform-arith"),
     ("closedform-symbolica", "closedform-generator"),
     ("closedform-symbolica", "closedform-project"),
     ("closedform-symbolica", "closedform-system"),

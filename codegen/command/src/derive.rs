@@ -1,13 +1,13 @@
 //! `closedform derive`: Maxima runs the worksheets; references, golden values and verdicts are written anew.
 
-use super::generate::worksheets;
 use super::verdicts::Page;
 use clap::Args as ClapArgs;
+use closedform_project::Project;
 use closedform_project::derive::{Options, derive};
 use closedform_project::family::family_names;
 use closedform_system::output;
 use miette::bail;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// Run worksheets in Maxima and write their reference expressions and golden values, and the verdicts on the scans
@@ -32,8 +32,8 @@ pub struct Args {
 /// # Errors
 ///
 /// When a worksheet asks, fails, loops or does not fulfil its contract, or a verdict is wrong; nothing is written then.
-pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
-    let folder = args.folder.clone().unwrap_or_else(|| worksheets(root));
+pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
+    let folder = args.folder.clone().unwrap_or_else(|| project.worksheets.clone());
     let names = if args.families.is_empty() { family_names(&folder)? } else { args.families.clone() };
     if names.is_empty() {
         bail!(

@@ -5,9 +5,10 @@ mod digits;
 mod inputs;
 mod point;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use closedform_measure::catalogue::Catalogue;
+use closedform_project::Project;
 
 pub use digits::{MAX_DIGITS, decimal};
 
@@ -35,8 +36,8 @@ pub struct Args {
 /// # Errors
 ///
 /// When there is no such kernel, inputs cannot be read or do not fit, or a single point lies outside of the domain.
-pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
-    let catalogue = Catalogue::open(root)?;
+pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
+    let catalogue = Catalogue::open(project)?;
     let entry = catalogue.find(&args.kernel)?;
     match &args.batch {
         Some(file) => batch::run(entry, file, args.digits),

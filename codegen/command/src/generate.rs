@@ -4,8 +4,8 @@ use super::{columns, kernel_table};
 use crate::own_crate::{self, Draft, Runtime};
 use crate::worker::{self, Source};
 use clap::Args as ClapArgs;
-use closedform_measure::catalogue::Catalogue;
 use closedform_measure::ledger;
+use closedform_project::Project;
 use closedform_project::folder;
 use closedform_project::generated::Made;
 use closedform_system::output;
@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 /// Make the kernels from the reference expressions
 #[derive(Debug, ClapArgs)]
 pub struct Args {
-    /// A worksheet of definitions `f(x,y) := ..` to make a crate of, instead of this project's families
+    /// A worksheet of definitions `f(x,y) := ..` to make a crate of, instead of this project's kernels
     #[arg(long, value_name = "FILE.mac", requires = "out")]
     input: Option<PathBuf>,
     /// The folder of that crate: a new one, or one with a crate, where only src/generated/ is written
@@ -24,12 +24,12 @@ pub struct Args {
     out: Option<PathBuf>,
     /// Where a new crate takes the runtime from: `version`, the URL of a git repository, or a folder [default: the folder
     /// that this command was built from, as a relative path]
-    #[arg(long, value_name = "WHERE", requires = "input")]
+    #[arg(long, value_name = "WHERE")]
     runtime: Option<Runtime>,
     /// A row for every kernel, not one a family
     #[arg(long)]
     all: bool,
-    /// How many points of each kernel's domain to measure for the table; book/src/kernels.md and the ledger are written with the default only
+    /// How many points of each kernel's domain to measure for the table; the ledger and the page of kernels are written with the default only
     #[arg(long, default_value_t = ledger::POINTS)]
     points: u32,
 }
@@ -39,46 +39,38 @@ pub struct Args {
 /// # Errors
 ///
 /// When a family is wrong, a kernel cannot be made or proved, or files cannot be written.
-pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
+pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     match (&args.input, &args.out) {
-        (Some(input), Some(out)) => own_crate(args, input, out, root),
-        _ => project(args, root),
+        (Some(input), Some(out)) => own_crate(args, input, out, project),
+        _ => whole(args, project),
     }
 }
 
-/// Where this project's worksheets are.
-#[must_use]
-pub fn worksheets(root: &Path) -> PathBuf {
-    root.join("maxima-ref")
-}
-
-/// Where this project's kernels are.
-#[must_use]
-pub fn kernels(root: &Path) -> PathBuf {
-    root.join("kernels/src/generated")
-}
-
-fn project(args: &Args, root: &Path) -> miette::Result<()> {
-    let generated = worker::run(&Source::Folder(worksheets(root)))?;
+/// The kernels of the whole project.
+fn whole(args: &Args, project: &Project) -> miette::Result<()> {
+    let generated = worker::run(&Source::Folder(project.worksheets.clone()))?;
     if generated.kernels.is_empty() {
         bail!(
-            help = "write a worksheet NAME.mac and its contract NAME.toml there and run `closedform derive`; or make a crate \
-                    of a worksheet alone: `closedform generate --input NAME.mac --out DIR`",
-            "{} holds no contract NAME.toml: there is nothing to make kernels of",
-            worksheets(root).display()
+            help = "write a worksheet NAME.mac of definitions `f(x,y) := ..` there; or one that derives them, with a contract \
+                    NAME.toml, and run `closedform derive`. `closedform new NAME` makes a project with an example",
+            "{} holds no worksheet: there is nothing to make kernels of",
+            project.worksheets.display()
         );
     }
-    let target = kernels(root);
-    let mut changed = write(&target, &generated.files)?;
-    let catalogue = Catalogue::load(&target)?;
-    let rows = ledger::rows(root, &catalogue, args.points)?;
+    let draft = Draft::new(&generated)?;
+    let catalogue = draft.catalogue()?;
+    let rows = ledger::rows(&project.records, &catalogue, args.points)?;
+    hold(&rows)?;
+    let files = draft.whole(project.judges)?;
+    let notes = own_crate::found(&project.kernels, &args.runtime.clone().unwrap_or_default(), &project.root)?;
+    let mut changed = write(&project.generated(), &files)?;
     if args.points == ledger::POINTS {
-        changed += usize::from(kernel_table::update(root, &catalogue, &rows)?);
-        changed += usize::from(ledger::update(root, &rows)?);
+        changed += usize::from(kernel_table::update(project, &catalogue, &rows)?);
+        changed += usize::from(ledger::update(&project.records, &rows)?);
     }
     report(&generated.kernels, &rows, args.all)?;
+    notes.iter().for_each(|note| output::note(note));
     remark(&generated.kernels);
-    hold(&rows)?;
     output::note(&format!(
         "{} kernels, all proved equal to their reference expressions, all bounds proved; {changed} files changed",
         generated.kernels.len()
@@ -86,16 +78,16 @@ fn project(args: &Args, root: &Path) -> miette::Result<()> {
     Ok(())
 }
 
-fn own_crate(args: &Args, input: &Path, out: &Path, root: &Path) -> miette::Result<()> {
+fn own_crate(args: &Args, input: &Path, out: &Path, project: &Project) -> miette::Result<()> {
     own_crate::check(out)?;
     let generated = worker::run(&Source::Worksheet(input.to_owned()))?;
     let draft = Draft::new(&generated)?;
-    let rows = ledger::rows(out, &draft.catalogue()?, args.points)?;
+    let rows = ledger::rows(&out.join("records"), &draft.catalogue()?, args.points)?;
     report(&generated.kernels, &rows, true)?;
     remark(&generated.kernels);
     hold(&rows)?;
     let runtime = args.runtime.clone().unwrap_or_default();
-    for note in own_crate::write(&draft, out, &runtime, root)? {
+    for note in own_crate::write(&draft, out, &runtime, &project.root)? {
         output::note(&note);
     }
     let count = generated.kernels.len();
@@ -156,7 +148,7 @@ fn remark(made: &[Made]) {
 }
 
 /// Every measured error is within its bound.
-fn hold(rows: &[ledger::Row]) -> miette::Result<()> {
+pub fn hold(rows: &[ledger::Row]) -> miette::Result<()> {
     let wrong: Vec<&ledger::Row> = rows.iter().filter(|row| row.worst > row.bound).collect();
     let [first, ..] = wrong.as_slice() else { return Ok(()) };
     bail!(

@@ -1,22 +1,19 @@
-//! The table of kernels in the book: written by `generate`, compared by `check`.
+//! The table of kernels on a page of the project: written by `generate`, compared by `check`.
 
 use closedform_measure::catalogue::{Catalogue, Entry};
 use closedform_measure::ledger::{Row, costs_of, naive_of, worst_of};
-use closedform_project::markdown;
+use closedform_project::{Project, markdown};
 use closedform_system::scratch;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::{fs, io};
 
-/// The page that holds the table, below the root.
-pub const PAGE: &str = "book/src/kernels.md";
-
 const BEGIN: &str = "<!-- kernels: written by `closedform generate` -->\n";
 const END: &str = "<!-- end of kernels -->\n";
 
 /// The page as it should be, and as it is; `None` where there is none or it holds no table.
-pub fn expected(root: &Path, catalogue: &Catalogue, rows: &[Row]) -> Option<(String, String)> {
-    let text = fs::read_to_string(root.join(PAGE)).ok()?;
+pub fn expected(project: &Project, catalogue: &Catalogue, rows: &[Row]) -> Option<(String, String)> {
+    let text = fs::read_to_string(project.table.as_ref()?).ok()?;
     let (before, rest) = text.split_once(BEGIN)?;
     let (_, after) = rest.split_once(END)?;
     let expected = format!("{before}{BEGIN}{}{END}{after}", table(catalogue, rows));
@@ -28,21 +25,24 @@ pub fn expected(root: &Path, catalogue: &Catalogue, rows: &[Row]) -> Option<(Str
 /// # Errors
 ///
 /// When the file cannot be written.
-pub fn update(root: &Path, catalogue: &Catalogue, rows: &[Row]) -> miette::Result<bool> {
-    let Some((expected, present)) = expected(root, catalogue, rows) else { return Ok(false) };
+pub fn update(project: &Project, catalogue: &Catalogue, rows: &[Row]) -> miette::Result<bool> {
+    let (Some(page), Some((expected, present))) = (&project.table, expected(project, catalogue, rows)) else {
+        return Ok(false);
+    };
     if expected == present {
         return Ok(false);
     }
-    write(root, &expected).map_err(|cause| miette::miette!("cannot write {PAGE}: {cause}"))?;
+    write(page, &expected).map_err(|cause| {
+        miette::miette!(help = "get the right to write there", "cannot write {}: {cause}", page.display())
+    })?;
     Ok(true)
 }
 
-fn write(root: &Path, text: &str) -> io::Result<()> {
-    let path = root.join(PAGE);
-    let file = scratch::beside(&path)?;
+fn write(page: &Path, text: &str) -> io::Result<()> {
+    let file = scratch::beside(page)?;
     fs::write(file.path(), text)?;
-    file.as_file().set_permissions(fs::metadata(&path)?.permissions())?;
-    file.persist(path).map_err(|error| error.error)?;
+    file.as_file().set_permissions(fs::metadata(page)?.permissions())?;
+    file.persist(page).map_err(|error| error.error)?;
     Ok(())
 }
 

@@ -1,13 +1,12 @@
-//! `closedform ledger`: what every result promises, what was measured and what it costs, written to `tests/LEDGER.csv`.
-
-use std::path::Path;
+//! `closedform ledger`: what every result promises, what was measured and what it costs, written to `LEDGER.csv` among the records.
 
 use super::kernel_table;
 use closedform_measure::catalogue::Catalogue;
 use closedform_measure::ledger::{self, Row};
+use closedform_project::Project;
 use closedform_system::output;
 
-/// Write the ledger of all kernels and the table in book/src/kernels.md, measured at the kept worst inputs and a sample
+/// Write the ledger of all kernels and the table of the project's page, if it has one, measured at the kept worst inputs and a sample
 #[derive(Clone, Debug, clap::Args)]
 pub struct Args {
     /// Write JSON to standard output instead of a table
@@ -20,11 +19,11 @@ pub struct Args {
 /// # Errors
 ///
 /// When kernels cannot be read or measured, or files cannot be written.
-pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
-    let catalogue = Catalogue::open(root)?;
-    let rows = ledger::rows(root, &catalogue, ledger::POINTS)?;
-    let changed =
-        usize::from(kernel_table::update(root, &catalogue, &rows)?) + usize::from(ledger::update(root, &rows)?);
+pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
+    let catalogue = Catalogue::open(project)?;
+    let rows = ledger::rows(&project.records, &catalogue, ledger::POINTS)?;
+    let changed = usize::from(kernel_table::update(project, &catalogue, &rows)?)
+        + usize::from(ledger::update(&project.records, &rows)?);
     if args.json {
         output::print_json(&rows)?
     } else {

@@ -1,12 +1,12 @@
 //! `closedform list`: every kernel, or those of a family, two lines each.
 
 use std::fmt::Write as _;
-use std::path::Path;
 
 use miette::miette;
 
 use super::description::{Description, with_unit};
 use closedform_measure::catalogue::{Catalogue, nearest};
+use closedform_project::Project;
 use closedform_system::output;
 
 /// How wide a line may be, if it has more than one name.
@@ -27,8 +27,8 @@ pub struct Args {
 /// # Errors
 ///
 /// When there are none, or they cannot be read.
-pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
-    let catalogue = Catalogue::open(root)?;
+pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
+    let catalogue = Catalogue::open(project)?;
     let kernels = kernels(&catalogue, args.family.as_deref())?;
     if args.json {
         output::print_json(&kernels)?

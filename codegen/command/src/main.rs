@@ -12,6 +12,7 @@ mod ledger;
 mod list;
 mod motion;
 mod mutants;
+mod new;
 mod own_crate;
 mod program;
 mod show;
@@ -20,7 +21,7 @@ mod verify;
 mod worker;
 
 use clap::{Parser, Subcommand};
-use closedform_project::root::project_root;
+use closedform_project::Project;
 use closedform_system::output::{self, OutputError};
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -39,6 +40,7 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    New(new::Args),
     Generate(generate::Args),
     Check(check::Args),
     Derive(derive::Args),
@@ -80,19 +82,20 @@ fn said(answer: &clap::Error) -> miette::Result<ExitCode> {
 }
 
 fn run(cli: Cli) -> miette::Result<ExitCode> {
-    let root = || project_root(cli.root.as_deref());
+    let project = || Project::find(cli.root.as_deref());
     match cli.command {
         Command::Plan(args) => return motion::run("plan", &args),
         Command::Plot(args) => return motion::run("plot", &args),
-        Command::Generate(args) => generate::run(&args, &root()?)?,
-        Command::Check(args) => check::run(&args, &root()?)?,
-        Command::Derive(args) => derive::run(&args, &root()?)?,
-        Command::List(args) => list::run(&args, &root()?)?,
-        Command::Show(args) => show::run(&args, &root()?)?,
-        Command::Eval(args) => eval::run(&args, &root()?)?,
-        Command::Verify(args) => verify::run(&args, &root()?)?,
-        Command::Ledger(args) => ledger::run(&args, &root()?)?,
-        Command::Mutants(args) => mutants::run(&args, &root()?)?,
+        Command::New(args) => new::run(&args)?,
+        Command::Generate(args) => generate::run(&args, &project()?)?,
+        Command::Check(args) => check::run(&args, &project()?)?,
+        Command::Derive(args) => derive::run(&args, &project()?)?,
+        Command::List(args) => list::run(&args, &project()?)?,
+        Command::Show(args) => show::run(&args, &project()?)?,
+        Command::Eval(args) => eval::run(&args, &project()?)?,
+        Command::Verify(args) => verify::run(&args, &project()?)?,
+        Command::Ledger(args) => ledger::run(&args, &project()?)?,
+        Command::Mutants(args) => mutants::run(&args, &project()?)?,
         Command::Bound(args) => bound::run(&args)?,
     }
     Ok(ExitCode::SUCCESS)

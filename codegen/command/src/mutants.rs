@@ -4,7 +4,6 @@ mod report;
 
 use std::num::NonZero;
 use std::panic::resume_unwind;
-use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
@@ -14,6 +13,7 @@ use thiserror::Error;
 
 use closedform_measure::catalogue::Catalogue;
 use closedform_mutants::{Effort, Lists, MutateError, Outcome, Unneeded, examine};
+use closedform_project::Project;
 use closedform_system::output;
 use report::Row;
 
@@ -38,7 +38,7 @@ pub struct Args {
 #[error("{}", summary(*survivors, *unneeded, unjudged.len()))]
 #[diagnostic(help(
     "a survivor is a hole in the points, a part that the kernel does not need, or the same function; \
-     the last kind goes into tests/EQUIVALENT.toml with its reason"
+     the last kind goes into EQUIVALENT.toml among the records with its reason"
 ))]
 struct MutantsError {
     survivors: usize,
@@ -52,13 +52,13 @@ struct MutantsError {
 /// # Errors
 ///
 /// When there is no such kernel, kernels cannot be read or judged, a mutant survives, or a listed one does not.
-pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
-    let catalogue = Catalogue::open(root)?;
+pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
+    let catalogue = Catalogue::open(project)?;
     let names: Vec<String> =
         catalogue.select(args.kernel.as_deref())?.into_iter().map(|entry| entry.full_name()).collect();
-    let lists = Lists::load(root)?;
+    let lists = Lists::load(&project.records)?;
     let (mut outcomes, mut unjudged) = (Vec::new(), Vec::new());
-    for judged in judged(args, root, &names, &lists)? {
+    for judged in judged(args, project, &names, &lists)? {
         match judged {
             Ok(outcome) => outcomes.push(outcome),
             Err(cause) => unjudged.push(cause),
@@ -87,7 +87,7 @@ type Judged = Vec<(usize, Result<Outcome, MutateError>)>;
 /// The outcome of every kernel, in order, from all processors.
 fn judged(
     args: &Args,
-    root: &Path,
+    project: &Project,
     names: &[String],
     lists: &Lists,
 ) -> Result<Vec<Result<Outcome, MutateError>>, MutateError> {
@@ -96,7 +96,7 @@ fn judged(
     let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
     // Trees do not cross threads: each reads the sources itself.
     let work = || -> Result<Judged, MutateError> {
-        let catalogue = Catalogue::open(root)?;
+        let catalogue = Catalogue::open(project)?;
         let mut judged = Vec::new();
         while let Some((position, name)) = next() {
             bar.set_message(name.clone());

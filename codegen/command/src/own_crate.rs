@@ -8,47 +8,44 @@ mod error;
 mod name;
 mod place;
 mod runtime;
+mod start;
 mod text;
 mod values;
 mod workspace;
 
 pub use error::OwnCrateError;
 pub use runtime::Runtime;
+pub use start::start;
 
 use closedform_measure::catalogue::Catalogue;
-use closedform_project::folder;
 use closedform_project::generated::Generated;
+use closedform_project::{Project, folder, layout};
 use closedform_system::scratch::Folder;
 use place::Place;
+use runtime::RUNTIME;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// What was made of a worksheet, before anything is written.
+/// What was made of worksheets, before anything is written.
 pub struct Draft {
-    /// The module of the worksheet.
-    module: String,
+    /// The modules.
     files: BTreeMap<String, String>,
-    /// The generated sources as a folder, as commands read them.
+    /// The same as a folder, as commands read them.
     folder: Folder,
 }
 
 impl Draft {
-    /// The files of a worksheet's kernels, with values that judge them.
+    /// The files of the kernels that were made.
     ///
     /// # Errors
     ///
-    /// When a kernel has no values on its domain.
+    /// When there is no room for them.
     pub fn new(generated: &Generated) -> miette::Result<Self> {
-        let mut files = generated.files.clone();
-        files.remove(text::INDEX);
-        let module = files.keys().next().and_then(|name| name.strip_suffix(".rs")).unwrap_or_default().to_owned();
+        let files = generated.files.clone();
         let folder = Folder::new().map_err(|cause| OwnCrateError::write(Path::new("a temporary folder"), cause))?;
         folder::write(folder.path(), &files).map_err(|cause| OwnCrateError::write(folder.path(), cause))?;
-        let values =
-            values::text(&Catalogue::load(folder.path())?, &text::mark_of_values(&files[&format!("{module}.rs")]))?;
-        files.insert(format!("{module}.tsv"), values);
-        Ok(Self { module, files, folder })
+        Ok(Self { files, folder })
     }
 
     /// The kernels.
@@ -59,6 +56,21 @@ impl Draft {
     pub fn catalogue(&self) -> miette::Result<Catalogue> {
         Ok(Catalogue::load(self.folder.path())?)
     }
+
+    /// Everything below `src/generated/` of a crate that holds these kernels and no others: modules, index, and if it is to
+    /// judge them itself, values and judges.
+    ///
+    /// # Errors
+    ///
+    /// When a kernel has no values on its domain.
+    pub fn whole(&self, judges: bool) -> miette::Result<BTreeMap<String, String>> {
+        let (catalogue, mut files) = (self.catalogue()?, self.files.clone());
+        if judges {
+            files.extend(values::missing(&catalogue, self.folder.path())?);
+        }
+        files.extend(text::joint(&catalogue, judges));
+        Ok(files)
+    }
 }
 
 /// Whether the kernels of `worksheet` may be written to `out`; nothing is written.
@@ -66,8 +78,31 @@ impl Draft {
 /// # Errors
 ///
 /// When `out` is something else than a new folder, a crate, or an empty folder.
-pub fn check(out: &Path) -> Result<(), OwnCrateError> {
-    Place::look(out).map(|_| ())
+pub fn check(out: &Path) -> miette::Result<()> {
+    Place::look(out)?;
+    let Ok(whole) = out.canonicalize() else { return Ok(()) };
+    for folder in whole.ancestors().filter(|folder| folder.join(layout::FILE).is_file()) {
+        let project = Project::at(folder)?;
+        if project.kernels.canonicalize().is_ok_and(|kernels| kernels == whole) {
+            return Err(OwnCrateError::Project { out: out.to_owned(), worksheets: project.worksheets }.into());
+        }
+    }
+    Ok(())
+}
+
+/// Gives a folder that is new or empty what a crate needs besides its kernels, once. Returns what the user should know.
+///
+/// # Errors
+///
+/// When `out` is something else than a new folder, a crate, or an empty folder, or cannot be written.
+pub fn found(out: &Path, runtime: &Runtime, root: &Path) -> miette::Result<Vec<String>> {
+    let fail = |cause| OwnCrateError::write(out, cause);
+    fs::create_dir_all(out).map_err(fail)?;
+    let _alone = place::lock(out).map_err(fail)?;
+    match Place::look(out)? {
+        Place::Empty => new_files(out, runtime, root),
+        Place::Crate | Place::OldCrate => Ok(Vec::new()),
+    }
 }
 
 /// Writes the crate, or adds the worksheet to it; one process at a time. Returns what the user should know, a line each.
@@ -83,14 +118,12 @@ pub fn write(draft: &Draft, out: &Path, runtime: &Runtime, root: &Path) -> miett
     fs::create_dir_all(out).map_err(fail(out))?;
     let _alone = place::lock(out).map_err(fail(out))?;
     let place = Place::look(out)?;
-    let mut notes = Vec::new();
-    if place == Place::Empty {
-        found(out, runtime, root, &mut notes)?;
-    }
+    let mut notes = if place == Place::Empty { new_files(out, runtime, root)? } else { Vec::new() };
     let generated = out.join(place::GENERATED);
-    place::check_owner(&generated, &draft.module, &draft.files)?;
-    let moved = place::old_layout(out)?;
     let mut files = draft.files.clone();
+    files.extend(values::missing(&draft.catalogue()?, draft.folder.path())?);
+    place::check_owner(&generated, &files)?;
+    let moved = place::old_layout(out)?;
     files.extend(
         moved
             .iter()
@@ -101,11 +134,7 @@ pub fn write(draft: &Draft, out: &Path, runtime: &Runtime, root: &Path) -> miett
     let catalogue = Catalogue::load(&generated)?;
     let missing = values::missing(&catalogue, &generated)?;
     folder::write(&generated, &missing).map_err(fail(&generated))?;
-    let index = BTreeMap::from([
-        (text::INDEX.to_owned(), text::index(&catalogue)),
-        (text::JUDGES.to_owned(), text::judges(&catalogue)),
-    ]);
-    folder::write(&generated, &index).map_err(fail(&generated))?;
+    folder::write(&generated, &text::joint(&catalogue, true)).map_err(fail(&generated))?;
     if place == Place::OldCrate {
         place::renew(out, &moved, &mut notes)?;
     }
@@ -114,15 +143,13 @@ pub fn write(draft: &Draft, out: &Path, runtime: &Runtime, root: &Path) -> miett
 }
 
 /// The files of a new crate, which are never written again.
-fn found(out: &Path, runtime: &Runtime, root: &Path, notes: &mut Vec<String>) -> miette::Result<()> {
+fn new_files(out: &Path, runtime: &Runtime, root: &Path) -> miette::Result<Vec<String>> {
     let name = name::package(out)?;
     let enclosing = workspace::enclosing(out);
-    let manifest = text::manifest(&name.package, &runtime.dependency(out, root)?, enclosing.as_ref());
-    notes.extend(name.note());
-    notes.extend(enclosing.as_ref().and_then(workspace::Enclosing::note));
+    let manifest = text::manifest(&name.package, &runtime.dependency(&RUNTIME, out, root)?, enclosing.as_ref());
     place::create(out, "Cargo.toml", &manifest)?;
     place::create(out, "src/lib.rs", text::LIBRARY)?;
     place::create(out, "README.md", &text::readme(&name.package))?;
     place::create(out, ".gitignore", text::IGNORE)?;
-    Ok(())
+    Ok(name.note().into_iter().chain(enclosing.as_ref().and_then(workspace::Enclosing::note)).collect())
 }

@@ -1,7 +1,6 @@
 //! `closedform show KERNEL`: everything about one kernel on a page.
 
 use std::fmt::Write as _;
-use std::path::Path;
 
 use serde::Serialize;
 
@@ -9,6 +8,7 @@ use super::description::{Description, InputDescription, ResultDescription, with_
 use closedform_generator::stable::rule::Rule;
 use closedform_generator::stable::strategy;
 use closedform_measure::catalogue::{Catalogue, Entry};
+use closedform_project::Project;
 use closedform_system::output;
 
 /// Show one kernel: formula, inputs, domain, bound, rules and Rust text
@@ -44,8 +44,8 @@ struct RuleInWords {
 /// # Errors
 ///
 /// When there is no such kernel, or kernels cannot be read.
-pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
-    let catalogue = Catalogue::open(root)?;
+pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
+    let catalogue = Catalogue::open(project)?;
     let entry = catalogue.find(&args.kernel)?;
     let page = Page::of(entry);
     if args.json {

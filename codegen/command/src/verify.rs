@@ -3,7 +3,6 @@
 mod hunt;
 mod report;
 
-use std::path::Path;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -14,6 +13,7 @@ use closedform_measure::accuracy::{Measurement, Reference, ReferenceError, Value
 use closedform_measure::catalogue::{Catalogue, DomainError, Entry};
 use closedform_measure::hunt::{Budget, HuntError, parse_duration};
 use closedform_measure::kept::KeptInputs;
+use closedform_project::Project;
 use closedform_project::sample::{EmptyDomain, sample};
 use closedform_system::output;
 use report::{Replay, Row};
@@ -35,7 +35,7 @@ pub struct Args {
     /// Climb so many steps for each result: the same hunt for the same seed
     #[arg(long, value_name = "N", conflicts_with = "points")]
     steps: Option<u64>,
-    /// Keep the worst inputs found in tests/worst, where every judge replays them
+    /// Keep the worst inputs found among the records of the project, where every judge replays them
     #[arg(long)]
     keep: bool,
     /// Write JSON
@@ -89,17 +89,17 @@ struct Uncovered {
 /// # Errors
 ///
 /// When there is no such kernel, kernels cannot be read or measured, or a bound does not hold.
-pub fn run(args: &Args, root: &Path) -> miette::Result<()> {
-    let catalogue = Catalogue::open(root)?;
+pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
+    let catalogue = Catalogue::open(project)?;
     let entries = catalogue.select(args.kernel.as_deref())?;
     let (rows, unmeasured) = match plan(args)? {
         Some(plan) => {
             let bar = progress_bar(entries.len() as u64);
-            let found = hunt::hunted(&catalogue, &entries, plan, root, &bar)?;
+            let found = hunt::hunted(&catalogue, &entries, plan, project, &bar)?;
             bar.finish_and_clear();
             found
         }
-        None => sampled(&entries, args, root)?,
+        None => sampled(&entries, args, project)?,
     };
     if args.json {
         output::print_json(&rows)?
@@ -119,10 +119,10 @@ fn plan(args: &Args) -> miette::Result<Option<hunt::Plan>> {
 }
 
 /// Measures kernels at the points kept of them and at samples of their domains.
-fn sampled(entries: &[&Entry], args: &Args, root: &Path) -> miette::Result<(Vec<Row>, Vec<Unmeasured>)> {
-    let kept = KeptInputs::load(root)?;
+fn sampled(entries: &[&Entry], args: &Args, project: &Project) -> miette::Result<(Vec<Row>, Vec<Unmeasured>)> {
+    let kept = KeptInputs::load(&project.records)?;
     let bar = progress_bar(entries.len() as u64 * u64::from(args.points));
-    let replay = Replay { root, seed: args.seed };
+    let replay = Replay { root: &project.root, seed: args.seed };
     let (mut rows, mut unmeasured) = (Vec::new(), Vec::new());
     for entry in entries {
         bar.set_message(entry.full_name());
@@ -187,7 +187,7 @@ mod tests {
         let entry = catalogue.find(kernel).unwrap();
         let args = arguments(300, 7);
         let measurement = measured(entry, &KeptInputs::default(), &args, &ProgressBar::hidden()).unwrap();
-        report::rows(entry, &measurement, &Replay { root: Path::new("."), seed: 7 })
+        report::rows(entry, &measurement, &Replay { root: std::path::Path::new("."), seed: 7 })
     }
 
     #[test]
@@ -215,9 +215,10 @@ mod tests {
     fn what_a_hunt_finds_is_kept_and_replayed() {
         let (folder, catalogue) = fixture::catalogue();
         let hunted = |keep| Args { steps: Some(500), keep, ..arguments(1, 1) };
-        let error = run(&hunted(true), folder.path()).unwrap_err();
+        let project = Project::at(folder.path()).unwrap();
+        let error = run(&hunted(true), &project).unwrap_err();
         assert_eq!(error.to_string(), "1 result exceeds its bound");
-        let kept = KeptInputs::load(folder.path()).unwrap();
+        let kept = KeptInputs::load(&project.records).unwrap();
         let entry = catalogue.find("line::slope").unwrap();
         let measurement = measured(entry, &kept, &arguments(1, 1), &ProgressBar::hidden()).unwrap();
         assert!(measurement.worst[0].as_ref().is_some_and(|worst| worst.ulp > 1e3), "{measurement:?}");
@@ -225,12 +226,12 @@ mod tests {
             &catalogue,
             &[entry],
             plan(&hunted(false)).unwrap().unwrap(),
-            folder.path(),
+            &project,
             &ProgressBar::hidden(),
         );
         let (rows, _) = again.unwrap();
         assert!(rows[0].exceeds());
-        assert_eq!(KeptInputs::load(folder.path()).unwrap(), kept);
+        assert_eq!(KeptInputs::load(&project.records).unwrap(), kept);
     }
 
     #[test]
@@ -245,7 +246,7 @@ mod tests {
         let source = "#[kernel]\npub fn f(x: f64) -> f64 { require!(x > 0.0 && x < 1.0); x }";
         std::fs::write(folder.path().join("hand.rs"), source).unwrap();
         let args = arguments(10, 1);
-        let error = run(&args, folder.path()).unwrap_err();
+        let error = run(&args, &Project::at(folder.path()).unwrap()).unwrap_err();
         assert_eq!(error.to_string(), "1 kernel was not measured");
     }
 }

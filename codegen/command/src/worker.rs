@@ -14,7 +14,7 @@ use closedform_system::output::note;
 use closedform_system::turn::{Patience, Turn, TurnError, WAIT};
 use miette::Diagnostic;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitStatus;
 use std::time::Duration;
 use thiserror::Error;
@@ -114,7 +114,10 @@ pub fn run(source: &Source) -> Result<Generated, WorkerError> {
     let mut tried = false;
     loop {
         match attempt(&generator, source, &turn, limit, tried)? {
-            Ending::Made(generated) => return Ok(generated),
+            Ending::Made(mut generated) => {
+                generated.stamp(source.worksheets())?;
+                return Ok(generated);
+            }
             Ending::Refused if patience.wait(PAUSE) => {}
             Ending::Refused => return Err(WorkerError::Elsewhere { seconds: patience.seconds() }),
         }
@@ -127,6 +130,14 @@ pub fn run(source: &Source) -> Result<Generated, WorkerError> {
 }
 
 impl Source {
+    /// The folder of the worksheets.
+    fn worksheets(&self) -> &Path {
+        match self {
+            Self::Worksheet(worksheet) => worksheet.parent().unwrap_or(Path::new("")),
+            Self::Folder(folder) | Self::Rederived { folder, .. } => folder,
+        }
+    }
+
     /// What is wrong is better said before waiting for others than after.
     fn check(&self) -> Result<(), FamilyError> {
         match self {

@@ -4,6 +4,7 @@ mod common;
 
 use closedform_measure::accuracy::{Reference, measure, results};
 use closedform_measure::catalogue::{Catalogue, Entry};
+use closedform_project::Project;
 use closedform_project::sample::sample;
 use common::{repository, succeeds, turn};
 
@@ -12,7 +13,7 @@ fn generated() -> (tempfile::TempDir, Catalogue) {
     let folder = tempfile::tempdir().unwrap();
     let (worksheet, out) = (repository().join("codegen/command/tests/ordinary.mac"), folder.path().join("made"));
     succeeds(&repository(), &["generate", "--input", worksheet.to_str().unwrap(), "--out", out.to_str().unwrap()]);
-    let catalogue = Catalogue::open(&out).unwrap();
+    let catalogue = Catalogue::open(&Project::at(&out).unwrap()).unwrap();
     (folder, catalogue)
 }
 

@@ -6,6 +6,7 @@ use closedform_generator::stable::strategy::ALL;
 use closedform_maxima::{BinaryOperator, Definition, Expr, ExprKind, UnaryOperator, definitions};
 use closedform_measure::accuracy::{REFERENCE_BITS, Reference, covers, measure, ulp_error};
 use closedform_measure::catalogue::{Catalogue, Entry};
+use closedform_project::Project;
 use closedform_project::sample::sample;
 use common::{repository, succeeds, turn};
 use std::collections::BTreeMap;
@@ -23,7 +24,7 @@ fn generated() -> (tempfile::TempDir, Catalogue) {
     let worksheet: PathBuf = repository().join("codegen/command/tests/rules/rules.mac");
     let out = folder.path().join("made");
     succeeds(&repository(), &["generate", "--input", worksheet.to_str().unwrap(), "--out", out.to_str().unwrap()]);
-    let catalogue = Catalogue::open(&out).unwrap();
+    let catalogue = Catalogue::open(&Project::at(&out).unwrap()).unwrap();
     (folder, catalogue)
 }
 

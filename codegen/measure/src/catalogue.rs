@@ -14,10 +14,10 @@ pub use entry::{DomainError, Entry, maxima_name, unit_of};
 pub use error::CatalogueError;
 pub use nearest::nearest;
 
-use closedform_project::ReadError;
+use closedform_project::{Project, ReadError};
 
-/// Where generated sources stand below the root of a project or of a generated crate, the most specific place first.
-const FOLDERS: [&str; 4] = ["kernels/src/generated", "src/generated", "src", ""];
+/// Where sources stand below a crate or a folder that is no project, the most specific place first.
+const FOLDERS: [&str; 3] = ["src/generated", "src", ""];
 
 /// Files that declare modules and hold no kernels.
 const INDEXES: [&str; 2] = ["mod", "lib"];
@@ -29,19 +29,20 @@ pub struct Catalogue {
 }
 
 impl Catalogue {
-    /// The kernels of the project, generated crate, or folder of generated sources `root`.
+    /// The kernels of a project; or of the crate, or folder of sources, that its root is.
     ///
     /// # Errors
     ///
     /// When no kernels are found, or a file with kernels cannot be read.
-    pub fn open(root: &Path) -> Result<Self, CatalogueError> {
-        for folder in FOLDERS.iter().map(|folder| root.join(folder)).filter(|folder| folder.is_dir()) {
+    pub fn open(project: &Project) -> Result<Self, CatalogueError> {
+        let places = FOLDERS.iter().map(|folder| project.root.join(folder));
+        for folder in [project.generated()].into_iter().chain(places).filter(|folder| folder.is_dir()) {
             let catalogue = Self::load(&folder)?;
             if !catalogue.entries.is_empty() {
                 return Ok(catalogue);
             }
         }
-        Err(CatalogueError::NoKernels { root: root.to_owned() })
+        Err(CatalogueError::NoKernels { root: project.root.clone() })
     }
 
     /// The kernels of the sources in one folder; the stem of a file is the family.
@@ -155,12 +156,13 @@ mod tests {
     #[test]
     fn the_folder_is_found_from_the_root() {
         let root = tempfile::tempdir().unwrap();
-        assert!(matches!(Catalogue::open(root.path()), Err(CatalogueError::NoKernels { .. })));
+        let open = |root: &Path| Catalogue::open(&Project::at(root).unwrap());
+        assert!(matches!(open(root.path()), Err(CatalogueError::NoKernels { .. })));
         let folder = root.path().join("kernels/src/generated");
         fs::create_dir_all(&folder).unwrap();
         fs::write(folder.join("line.rs"), fixture::LINE).unwrap();
-        assert_eq!(Catalogue::open(root.path()).unwrap().entries().len(), 2);
-        assert_eq!(Catalogue::open(&folder).unwrap().entries().len(), 2);
+        assert_eq!(open(root.path()).unwrap().entries().len(), 2);
+        assert_eq!(open(&folder).unwrap().entries().len(), 2);
     }
 
     #[test]

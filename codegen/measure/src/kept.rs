@@ -17,13 +17,13 @@ const COUNT: usize = 3;
 pub struct KeptInputs(Vec<Kept>);
 
 impl KeptInputs {
-    /// Those of the project at `root`; none where it has no such folder.
+    /// Those among the records of a project; none where they have no such folder.
     ///
     /// # Errors
     ///
     /// When a file cannot be read.
-    pub fn load(root: &Path) -> Result<Self, KeptError> {
-        Ok(KeptInputs(kept::load(root)?))
+    pub fn load(records: &Path) -> Result<Self, KeptError> {
+        Ok(KeptInputs(kept::load(records)?))
     }
 
     /// The points kept of each result of a kernel, in order. A line of inputs that the kernel does not have is void.
@@ -56,14 +56,14 @@ impl KeptInputs {
     /// # Errors
     ///
     /// When a file cannot be written.
-    pub fn write(&self, root: &Path, catalogue: &Catalogue) -> Result<usize, KeptError> {
+    pub fn write(&self, records: &Path, catalogue: &Catalogue) -> Result<usize, KeptError> {
         let mut files: BTreeMap<String, String> = BTreeMap::new();
         for entry in catalogue.entries() {
             let kernel = entry.full_name();
             let text = files.entry(format!("{}.tsv", entry.family)).or_insert_with(|| header(&entry.family));
             self.0.iter().filter(|kept| kept.kernel == kernel).for_each(|kept| text.push_str(&line(kept)));
         }
-        let folder = root.join(FOLDER);
+        let folder = records.join(FOLDER);
         folder::replace(&folder, &files).map_err(|cause| KeptError::File { path: folder, cause })
     }
 }
@@ -108,7 +108,7 @@ mod tests {
         let points = [[1.5, 0.1], [2.0, 3.0], [4.0, 5.0], [6.0, 7.0]];
         kept.replace(entry, &[points.iter().map(|point| worst(2.0001, point)).collect()]);
         assert_eq!(kept.write(project.path(), &catalogue).unwrap(), 2);
-        let text = std::fs::read_to_string(project.path().join("tests/worst/line.tsv")).unwrap();
+        let text = std::fs::read_to_string(project.path().join("worst/line.tsv")).unwrap();
         assert!(text.contains("line::root\troot\t2.001\taMax=0x1.8p+0 b=0x1.999999999999ap-4\n"), "{text}");
         let again = KeptInputs::load(project.path()).unwrap();
         assert_eq!(again, kept);

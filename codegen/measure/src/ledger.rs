@@ -1,4 +1,4 @@
-//! The ledger, `tests/LEDGER.csv`: what each result of a kernel promises, what was measured, what it costs.
+//! The ledger, `LEDGER.csv` among the records of a project: what each result of a kernel promises, what was measured, what it costs.
 
 mod cost;
 
@@ -22,8 +22,8 @@ use closedform_system::scratch;
 /// How many points of each domain are measured besides the kept worst inputs.
 pub const POINTS: u32 = 200;
 
-/// The ledger's file, below the root.
-const FILE: &str = "tests/LEDGER.csv";
+/// The ledger's file, among the records.
+const FILE: &str = "LEDGER.csv";
 
 /// How every ledger begins; a file that does not is none, and is left alone.
 const FIRST_COLUMNS: &str = "kernel,result,";
@@ -87,13 +87,13 @@ pub enum LedgerError {
     Kept(#[from] KeptError),
 }
 
-/// The rows of all kernels, sorted, measured at `points` points each and at what the project at `root` keeps.
+/// The rows of all kernels, sorted, measured at `points` points each and at what these records keep.
 ///
 /// # Errors
 ///
 /// When a kernel cannot be measured.
-pub fn rows(root: &Path, catalogue: &Catalogue, points: u32) -> Result<Vec<Row>, LedgerError> {
-    let kept = KeptInputs::load(root)?;
+pub fn rows(records: &Path, catalogue: &Catalogue, points: u32) -> Result<Vec<Row>, LedgerError> {
+    let kept = KeptInputs::load(records)?;
     let rows = catalogue.entries().iter().map(|entry| rows_of(entry, &kept, points));
     let mut rows = rows.collect::<Result<Vec<_>, _>>()?.concat();
     rows.sort_by(|a, b| (&a.kernel, &a.result).cmp(&(&b.kernel, &b.result)));
@@ -118,20 +118,17 @@ pub fn costs_of(rows: &[Row], entry: &Entry) -> (Option<u32>, u32, u32) {
     (naive, cost::plain(&count, entry.kernel.meta.precision), cost::faithful(&count))
 }
 
-/// The ledger as it should be, and as it is; `None` in a project that has no judges to keep one.
+/// The ledger as it should be, and as it is.
 ///
 /// # Errors
 ///
 /// When it cannot be read.
-pub fn expected(root: &Path, rows: &[Row]) -> miette::Result<Option<(String, String)>> {
-    if !root.join("tests").is_dir() {
-        return Ok(None);
-    }
-    let present = match fs::read_to_string(path(root)) {
+pub fn expected(records: &Path, rows: &[Row]) -> miette::Result<(String, String)> {
+    let present = match fs::read_to_string(path(records)) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
         text => text.into_diagnostic()?,
     };
-    Ok(Some((text(rows)?, present)))
+    Ok((text(rows)?, present))
 }
 
 /// Writes the ledger, in one step; says whether anything changed.
@@ -139,8 +136,8 @@ pub fn expected(root: &Path, rows: &[Row]) -> miette::Result<Option<(String, Str
 /// # Errors
 ///
 /// When it cannot be written.
-pub fn update(root: &Path, rows: &[Row]) -> miette::Result<bool> {
-    let Some((expected, present)) = expected(root, rows)? else { return Ok(false) };
+pub fn update(records: &Path, rows: &[Row]) -> miette::Result<bool> {
+    let (expected, present) = expected(records, rows)?;
     if expected == present {
         return Ok(false);
     }
@@ -148,25 +145,26 @@ pub fn update(root: &Path, rows: &[Row]) -> miette::Result<bool> {
         miette::bail!(
             help = "rename it if it is yours, or delete it",
             "{} is no ledger of kernels",
-            path(root).display()
+            path(records).display()
         );
     }
-    write(root, &expected).map_err(|cause| {
-        miette::miette!(help = "get the right to write there", "cannot write {}: {cause}", path(root).display())
+    write(records, &expected).map_err(|cause| {
+        miette::miette!(help = "get the right to write there", "cannot write {}: {cause}", path(records).display())
     })?;
     Ok(true)
 }
 
 /// Where the ledger is.
 #[must_use]
-pub fn path(root: &Path) -> PathBuf {
-    root.join(FILE)
+pub fn path(records: &Path) -> PathBuf {
+    records.join(FILE)
 }
 
-fn write(root: &Path, text: &str) -> io::Result<()> {
-    let file = scratch::beside(&path(root))?;
+fn write(records: &Path, text: &str) -> io::Result<()> {
+    fs::create_dir_all(records)?;
+    let file = scratch::beside(&path(records))?;
     fs::write(file.path(), text)?;
-    file.persist(path(root)).map_err(|error| error.error)?;
+    file.persist(path(records)).map_err(|error| error.error)?;
     Ok(())
 }
 
@@ -292,14 +290,13 @@ mod tests {
     }
 
     #[test]
-    fn a_project_with_judges_keeps_one() {
+    fn it_is_written_where_it_changed() {
         let (folder, catalogue) = fixture::catalogue();
         let rows = rows(folder.path(), &catalogue, 5).unwrap();
-        assert!(!update(folder.path(), &rows).unwrap());
-        fs::create_dir(folder.path().join("tests")).unwrap();
-        assert!(update(folder.path(), &rows).unwrap());
-        assert!(!update(folder.path(), &rows).unwrap());
-        let (expected, present) = super::expected(folder.path(), &rows).unwrap().unwrap();
+        let records = folder.path().join("records");
+        assert!(update(&records, &rows).unwrap());
+        assert!(!update(&records, &rows).unwrap());
+        let (expected, present) = super::expected(&records, &rows).unwrap();
         assert_eq!((expected.lines().count(), &expected), (5, &present));
     }
 }

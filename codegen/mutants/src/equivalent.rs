@@ -12,8 +12,8 @@ use super::mistake::{Mistake, Nth};
 use super::place::Change;
 use closedform_project::ReadError;
 
-/// Where the list stands below the root of a project.
-const PATH: &str = "tests/EQUIVALENT.toml";
+/// The list's file, among the records of a project.
+const FILE: &str = "EQUIVALENT.toml";
 
 /// The list.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -57,13 +57,13 @@ pub struct Unneeded {
 }
 
 impl Equivalents {
-    /// The list of a project; empty where it has none.
+    /// The list among the records of a project; empty where they have none.
     ///
     /// # Errors
     ///
     /// When it cannot be read.
-    pub fn load(root: &Path) -> Result<Self, MutateError> {
-        let path = root.join(PATH);
+    pub fn load(records: &Path) -> Result<Self, MutateError> {
+        let path = records.join(FILE);
         match fs::read_to_string(&path) {
             Ok(text) => Self::parse(&text).map_err(|cause| MutateError::Equivalents { path, cause: cause.into() }),
             Err(cause) if cause.kind() == ErrorKind::NotFound => Ok(Self::default()),

@@ -49,14 +49,14 @@ pub struct Lists {
 }
 
 impl Lists {
-    /// The lists of a project.
+    /// The lists among the records of a project.
     ///
     /// # Errors
     ///
     /// When one of them cannot be read.
-    pub fn load(root: &Path) -> Result<Self, MutateError> {
-        let (equivalents, known) = (Equivalents::load(root)?, Known::load(root)?);
-        Ok(Self { equivalents, known, kept: KeptInputs::load(root)? })
+    pub fn load(records: &Path) -> Result<Self, MutateError> {
+        let (equivalents, known) = (Equivalents::load(records)?, Known::load(records)?);
+        Ok(Self { equivalents, known, kept: KeptInputs::load(records)? })
     }
 }
 

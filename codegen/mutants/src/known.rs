@@ -9,8 +9,8 @@ use serde::Deserialize;
 use super::error::MutateError;
 use closedform_project::ReadError;
 
-/// Where the points stand below the root of a project.
-const PATH: &str = "tests/POINTS.toml";
+/// The file of the points, among the records of a project.
+const FILE: &str = "POINTS.toml";
 
 /// The points of all kernels.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -31,13 +31,13 @@ struct Point {
 }
 
 impl Known {
-    /// The points of a project; none where it has no such file.
+    /// The points among the records of a project; none where they have no such file.
     ///
     /// # Errors
     ///
     /// When the file cannot be read.
-    pub fn load(root: &Path) -> Result<Self, MutateError> {
-        let path = root.join(PATH);
+    pub fn load(records: &Path) -> Result<Self, MutateError> {
+        let path = records.join(FILE);
         match fs::read_to_string(&path) {
             Ok(text) => toml::from_str(&text).map_err(|cause| MutateError::Known { path, cause: Box::new(cause) }),
             Err(cause) if cause.kind() == ErrorKind::NotFound => Ok(Self::default()),

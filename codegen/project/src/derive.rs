@@ -1,5 +1,7 @@
 //! Derivation: Maxima runs a worksheet and prints reference expressions and golden values.
 
+mod ask;
+mod compare;
 mod decimal;
 mod driver;
 mod error;
@@ -8,8 +10,11 @@ mod reply;
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use closedform_build::VERSION;
 use closedform_maxima::Definition;
 
+pub use ask::Options;
+pub use compare::{Compared, compare_references};
 pub use driver::VALUES;
 pub use error::{DeriveError, PointFailure};
 
@@ -17,27 +22,10 @@ use super::contract::{self, Contract, KernelContract};
 use super::family::{Paths, check_references};
 use super::files;
 use super::golden::{self, GoldenValue};
-use super::maxima_process::Maxima;
 use super::sample::sample;
+use super::source;
+use ask::{ask, header, reference_text};
 use driver::Task;
-use reply::Reply;
-
-/// How golden values are made.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Options {
-    /// Which Maxima.
-    pub maxima: Maxima,
-    /// Points a kernel.
-    pub points: usize,
-    /// Seed of the points.
-    pub seed: u64,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self { maxima: Maxima::default(), points: 24, seed: 0x636c_6f73_6564 }
-    }
-}
 
 /// How many more points are at hand than wanted, for those where a formula has no value.
 const SPARE: usize = 3;
@@ -89,6 +77,8 @@ pub fn derive(folder: &Path, name: &str, options: &Options) -> Result<Derived, D
         values.extend(golden_values(kernel, task, reply.values(index))?);
     }
     let golden = header(name, "golden values", &reply.version, "# ", "") + golden::print(&values).as_str();
+    let inputs = inputs_of(&paths)?;
+    let [reference, golden] = [reference, golden].map(|text| closedform_build::stamped(&text, VERSION, inputs));
     Ok(Derived { reference, golden, definitions, values, paths })
 }
 
@@ -123,14 +113,15 @@ pub fn compare_golden(folder: &Path, name: &str, options: &Options) -> Result<Ve
     Ok(disagreements)
 }
 
+/// The hash of what a family is derived from.
+fn inputs_of(paths: &Paths) -> Result<u64, DeriveError> {
+    let [worksheet, contract] = [&paths.worksheet, &paths.contract].map(|path| source::read_bytes(path));
+    Ok(closedform_build::hash([&*worksheet?, &*contract?]))
+}
+
 fn disagreement(golden: &GoldenValue, now: Result<String, PointFailure>) -> Option<Disagreement> {
     let agrees = now.as_ref().is_ok_and(|now| decimal::agree(now, &golden.value));
     (!agrees).then(|| Disagreement { golden: golden.clone(), now })
-}
-
-fn ask(paths: &Paths, contract: &Contract, tasks: &[Task], options: &Options) -> Result<Reply, DeriveError> {
-    let messages = options.maxima.run(&paths.worksheet, &driver::driver(contract, tasks))?;
-    Ok(Reply::read(messages))
 }
 
 /// The task to compute all results of a kernel at points of its domain.
@@ -188,18 +179,6 @@ fn golden_values(
         }),
         _ => Ok(values),
     }
-}
-
-fn reference_text(name: &str, reply: &Reply, contract: &Contract, paths: &Paths) -> Result<String, DeriveError> {
-    let header = header(name, "reference expressions", &reply.version, "/* ", " */");
-    Ok(header + reply.references(contract, paths)?.as_str())
-}
-
-fn header(name: &str, what: &str, version: &str, open: &str, close: &str) -> String {
-    format!(
-        "{open}{what}, written by `closedform derive {name}` from {name}.mac and {name}.toml; do not edit{close}\n\
-         {open}Maxima {version}{close}\n"
-    )
 }
 
 #[cfg(test)]

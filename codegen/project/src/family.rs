@@ -61,6 +61,17 @@ pub enum FamilyError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Worksheet(#[from] WorksheetError),
+    /// Two worksheets have one name in Rust.
+    #[error("{} and {} would both become the module `{name}`", first.display(), second.display())]
+    #[diagnostic(help("rename one of them"))]
+    Twice {
+        /// The name in Rust.
+        name: String,
+        /// The one.
+        first: PathBuf,
+        /// The other.
+        second: PathBuf,
+    },
 }
 
 impl Paths {
@@ -106,13 +117,31 @@ impl Family {
     }
 }
 
-/// The families of a folder, by name.
+/// The families of a folder, by name: those with a contract, and worksheets of definitions alone.
 pub fn families(folder: &Path) -> Result<Vec<Family>, FamilyError> {
-    family_names(folder)?.iter().map(|name| Family::load(folder, name)).collect()
+    let contracts = family_names(folder)?;
+    let alone = stems(folder, "mac")?.into_iter().filter(|name| !contracts.contains(name));
+    let alone: Vec<String> = alone.collect();
+    let mut families = contracts.iter().map(|name| Family::load(folder, name)).collect::<Result<Vec<_>, _>>()?;
+    for name in &alone {
+        let family = Family::from_worksheet(&Paths::new(folder, name).worksheet)?;
+        if let Some(first) = families.iter().find(|known| known.name == family.name) {
+            let [first, second] = [first, &family].map(|family| family.paths.worksheet.clone());
+            return Err(FamilyError::Twice { name: family.name, first, second });
+        }
+        families.push(family);
+    }
+    families.sort_by(|one, other| one.name.cmp(&other.name));
+    Ok(families)
 }
 
-/// The names of the families of a folder, sorted: every `NAME.toml` is one.
+/// The names of the families of a folder that have a contract `NAME.toml`, sorted.
 pub fn family_names(folder: &Path) -> Result<Vec<String>, ReadError> {
+    stems(folder, "toml")
+}
+
+/// The names of the files of a folder with an ending, without it, sorted.
+fn stems(folder: &Path, ending: &str) -> Result<Vec<String>, ReadError> {
     let unreadable = |cause| {
         let remedy = "name the folder that holds worksheets and contracts".to_owned();
         ReadError { path: folder.to_owned(), cause, remedy }
@@ -120,7 +149,7 @@ pub fn family_names(folder: &Path) -> Result<Vec<String>, ReadError> {
     let mut names = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
-        if path.extension().is_some_and(|extension| extension == "toml") {
+        if path.extension().is_some_and(|extension| extension == ending) {
             names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
         }
     }

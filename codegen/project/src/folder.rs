@@ -55,6 +55,14 @@ pub fn diff(name: &str, old: &str, new: &str) -> String {
         .to_string()
 }
 
+/// The names of the files of a folder that were generated, sorted.
+///
+/// # Errors
+/// When the folder cannot be read.
+pub fn generated(folder: &Path) -> io::Result<Vec<String>> {
+    Ok(read(folder)?.into_iter().filter(|(_, text)| is_generated(text)).map(|(name, _)| name).collect())
+}
+
 fn read(folder: &Path) -> io::Result<BTreeMap<String, String>> {
     let mut files = BTreeMap::new();
     if !folder.exists() {

@@ -1,9 +1,12 @@
 //! What the generator hands back, and the words in which it does: a line each on its standard output, between the lines
 //! that Symbolica prints there.
 
+use closedform_build::{VERSION, hash, stamped};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::fs;
 use std::io::{self, Write};
+use std::path::Path;
 
 /// Everything that was generated, in memory.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -12,6 +15,23 @@ pub struct Generated {
     pub files: BTreeMap<String, String>,
     /// What was made, in order.
     pub kernels: Vec<Made>,
+}
+
+impl Generated {
+    /// Stamps every file with the version and what it was made from: a worksheet, its contract, its reference
+    /// expressions.
+    ///
+    /// # Errors
+    /// When one of those cannot be read.
+    pub fn stamp(&mut self, worksheets: &Path) -> io::Result<()> {
+        for text in self.files.values_mut() {
+            let name = text.lines().next().and_then(closedform_build::worksheet_of).unwrap_or_default();
+            let inputs = closedform_build::inputs(worksheets, name);
+            let inputs = inputs.iter().map(fs::read).collect::<io::Result<Vec<_>>>()?;
+            *text = stamped(text, VERSION, hash(inputs.iter().map(Vec::as_slice)));
+        }
+        Ok(())
+    }
 }
 
 /// One kernel as made.

@@ -1,4 +1,4 @@
-//! Kept worst inputs, `tests/worst/FAMILY.tsv`: what hunts found, to be judged before anything else.
+//! Kept worst inputs, `worst/FAMILY.tsv` among the records: what hunts found, to be judged before anything else.
 
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -8,8 +8,8 @@ use thiserror::Error;
 
 use super::hexfloat;
 
-/// Where the files are, below the root.
-pub const FOLDER: &str = "tests/worst";
+/// Where the files are, among the records of a project.
+pub const FOLDER: &str = "worst";
 
 /// The inputs at which a result was found to be worst.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,13 +50,13 @@ pub enum KeptError {
     },
 }
 
-/// Everything that is kept in the project at `root`; nothing where it has no such folder.
+/// Everything that is kept among these records; nothing where they have no such folder.
 ///
 /// # Errors
 ///
 /// When a file cannot be read.
-pub fn load(root: &Path) -> Result<Vec<Kept>, KeptError> {
-    let folder = root.join(FOLDER);
+pub fn load(records: &Path) -> Result<Vec<Kept>, KeptError> {
+    let folder = records.join(FOLDER);
     let mut kept = Vec::new();
     if folder.is_dir() {
         for path in files(&folder).map_err(failed(&folder))? {

@@ -13,12 +13,13 @@ pub mod generated;
 pub mod golden;
 pub mod hexfloat;
 pub mod kept;
+pub mod layout;
 pub mod markdown;
 pub mod maxima_process;
-pub mod root;
 pub mod sample;
 pub mod source;
 mod statements;
 
 pub use files::{WriteError, replaceable, write_all};
+pub use layout::{Project, ProjectError};
 pub use source::ReadError;

@@ -24,6 +24,12 @@ pub fn read(path: &Path, remedy: impl Into<String>) -> Result<String, ReadError>
     std::fs::read_to_string(path).map_err(|cause| ReadError { path: path.to_owned(), cause, remedy: remedy.into() })
 }
 
+/// The bytes of a file, or why there are none.
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>, ReadError> {
+    let remedy = "get the right to read it".to_owned();
+    std::fs::read(path).map_err(|cause| ReadError { path: path.to_owned(), cause, remedy })
+}
+
 /// How many mistakes are worth showing at once.
 pub const SHOWN: usize = 20;
 

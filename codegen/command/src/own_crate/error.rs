@@ -16,6 +16,10 @@ pub enum OwnCrateError {
     #[error("{} holds something else", .0.display())]
     #[diagnostic(help("name a folder that is new or empty, or one that holds a crate"))]
     SomethingElse(PathBuf),
+    /// The folder of a new project is not empty.
+    #[error("{} holds something already", .0.display())]
+    #[diagnostic(help("name a folder that is new or empty"))]
+    NotEmpty(PathBuf),
     /// A workspace without a package.
     #[error("{} is a workspace, not a crate", .0.display())]
     #[diagnostic(help("name a folder in it"))]
@@ -38,9 +42,14 @@ pub enum OwnCrateError {
     #[diagnostic(help("a file without the mark of this command is never touched: rename it, or rename the worksheet"))]
     Foreign(PathBuf),
     /// The kernels of a project with contracts.
-    #[error("{} belongs to a project: it is generated from its folder maxima-ref", .0.display())]
-    #[diagnostic(help("name another folder, or add the worksheet and its contract to that project"))]
-    Project(PathBuf),
+    #[error("{} belongs to a project: it is generated from {}", out.display(), worksheets.display())]
+    #[diagnostic(help("put the worksheet there and say `closedform generate`, or name another folder"))]
+    Project {
+        /// The crate.
+        out: PathBuf,
+        /// The folder of the project's worksheets.
+        worksheets: PathBuf,
+    },
     /// Two worksheets of one module.
     #[error("{} was made from another worksheet: {first_line}", path.display())]
     #[diagnostic(help("rename one of the two worksheets, so that each has a module of its own"))]

@@ -5,7 +5,9 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 
+use super::runtime::RUNTIME;
 use super::{OwnCrateError, Runtime, text};
+use closedform_build::worksheet_of;
 use closedform_project::folder::is_generated;
 
 /// Where generated files stand in a crate.
@@ -66,24 +68,22 @@ pub(super) fn lock(_folder: &Path) -> io::Result<()> {
 }
 
 /// Whether all files that are to be written are new, or marked as made of the same worksheet.
-pub(super) fn check_owner(folder: &Path, module: &str, files: &BTreeMap<String, String>) -> Result<(), OwnCrateError> {
-    let index = folder.join(text::INDEX);
-    if index.exists() && is_generated(&read(&index)?) && !text::is_index(&read(&index)?) {
-        return Err(OwnCrateError::Project(folder.to_owned()));
-    }
+pub(super) fn check_owner(folder: &Path, files: &BTreeMap<String, String>) -> Result<(), OwnCrateError> {
     for name in files.keys().map(String::as_str).chain([text::INDEX, text::JUDGES]) {
         let path = folder.join(name);
         if path.exists() && !is_generated(&read(&path)?) {
             return Err(OwnCrateError::Foreign(path));
         }
     }
-    let (name, path) = (format!("{module}.rs"), folder.join(format!("{module}.rs")));
-    let Ok(old) = fs::read_to_string(&path) else { return Ok(()) };
-    let (old, new) = (first_line(&old), first_line(&files[&name]));
-    match text::worksheet_of(old) == text::worksheet_of(new) {
-        true => Ok(()),
-        false => Err(OwnCrateError::OtherWorksheet { path, first_line: old.to_owned() }),
+    for (name, text) in files {
+        let path = folder.join(name);
+        let Ok(old) = fs::read_to_string(&path) else { continue };
+        let (old, new) = (first_line(&old), first_line(text));
+        if worksheet_of(old) != worksheet_of(new) {
+            return Err(OwnCrateError::OtherWorksheet { path, first_line: old.to_owned() });
+        }
     }
+    Ok(())
 }
 
 /// The modules that an earlier version of this command wrote beside its `src/lib.rs`, by file name.
@@ -136,7 +136,7 @@ pub(super) fn lines_to_add(out: &Path, runtime: &Runtime, root: &Path) -> Result
     }
     let manifest: toml::Table = read(&out.join("Cargo.toml"))?.parse().unwrap_or_default();
     if manifest.get("dependencies").and_then(|dependencies| dependencies.get("closedform")).is_none() {
-        let dependency = runtime.dependency(out, root)?;
+        let dependency = runtime.dependency(&RUNTIME, out, root)?;
         lines.push(format!("add to [dependencies] in Cargo.toml: closedform = {dependency}"));
     }
     Ok(lines)
@@ -157,10 +157,12 @@ pub(super) fn create(out: &Path, name: &str, text: &str) -> Result<(), OwnCrateE
     written.map_err(|cause| OwnCrateError::write(&path, cause))
 }
 
-fn is_empty(folder: &Path) -> Result<bool, OwnCrateError> {
+/// Whether nothing is in a folder, or it is not there.
+pub(super) fn is_empty(folder: &Path) -> Result<bool, OwnCrateError> {
     match fs::read_dir(folder) {
         Ok(mut entries) => Ok(entries.next().is_none()),
         Err(cause) if cause.kind() == io::ErrorKind::NotFound => Ok(true),
+        Err(cause) if cause.kind() == io::ErrorKind::NotADirectory => Err(OwnCrateError::File(folder.to_owned())),
         Err(cause) => Err(OwnCrateError::write(folder, cause)),
     }
 }

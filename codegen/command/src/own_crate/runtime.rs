@@ -33,29 +33,56 @@ impl FromStr for Runtime {
     }
 }
 
+/// A package of closedform that a crate depends on.
+pub(super) struct Part {
+    package: &'static str,
+    /// Its folder in a checkout.
+    folder: &'static str,
+}
+
+/// What kernels need when they run.
+pub(super) const RUNTIME: Part = Part { package: "closedform", folder: "runtime" };
+
+/// What a build script asks whether they are fresh.
+pub(super) const BUILD: Part = Part { package: "closedform-build", folder: "codegen/build" };
+
 impl Runtime {
-    /// What stands behind `closedform = ` in the manifest of the crate in `out`, which exists.
-    pub(super) fn dependency(&self, out: &Path, root: &Path) -> Result<String, OwnCrateError> {
+    /// What stands behind `closedform = ` in the manifest of the crate in `out`, which exists; or behind another part.
+    pub(super) fn dependency(&self, part: &Part, out: &Path, root: &Path) -> Result<String, OwnCrateError> {
         match self {
             Self::Version => Ok(version()),
             Self::Git(url) => Ok(format!("{{ git = {} }}", quoted(url))),
-            Self::Folder(folder) if is_runtime(folder) => path(out, folder),
-            Self::Folder(folder) if is_runtime(&folder.join("runtime")) => path(out, &folder.join("runtime")),
-            Self::Folder(folder) => Err(OwnCrateError::NoRuntime(folder.clone())),
+            Self::Folder(folder) => {
+                let checkouts = [folder.clone(), folder.join("..")];
+                let found = checkouts.iter().map(|checkout| checkout.join(part.folder)).find(|folder| part.is(folder));
+                found.map_or_else(|| Err(OwnCrateError::NoRuntime(folder.clone())), |folder| path(out, &folder))
+            }
             Self::Beside => {
-                let beside = [root, checkout()];
-                let found = beside.iter().map(|root| root.join("runtime")).find(|folder| is_runtime(folder));
+                let found = [root, checkout()].iter().map(|root| root.join(part.folder)).find(|folder| part.is(folder));
                 found.map_or_else(|| Ok(version()), |folder| path(out, &folder))
+            }
+        }
+    }
+
+    /// The line of a shell that installs the command of the same origin.
+    pub(super) fn install(&self) -> String {
+        match self {
+            Self::Git(url) => format!("cargo install --locked --git {url} closedform-cli"),
+            // a folder beside the project is nowhere in CI
+            Self::Beside | Self::Version | Self::Folder(_) => {
+                format!("cargo install --locked closedform-cli@{}", env!("CARGO_PKG_VERSION"))
             }
         }
     }
 }
 
-fn is_runtime(folder: &Path) -> bool {
-    let manifest = std::fs::read_to_string(folder.join("Cargo.toml")).unwrap_or_default();
-    let table: Option<toml::Table> = manifest.parse().ok();
-    let name = table.as_ref().and_then(|table| table.get("package")?.get("name")?.as_str());
-    name == Some("closedform")
+impl Part {
+    fn is(&self, folder: &Path) -> bool {
+        let manifest = std::fs::read_to_string(folder.join("Cargo.toml")).unwrap_or_default();
+        let table: Option<toml::Table> = manifest.parse().ok();
+        let name = table.as_ref().and_then(|table| table.get("package")?.get("name")?.as_str());
+        name == Some(self.package)
+    }
 }
 
 fn version() -> String {
@@ -102,7 +129,8 @@ mod tests {
         assert_eq!(read("https://host/closedform"), Runtime::Git("https://host/closedform".to_owned()));
         assert_eq!(read("../closedform"), Runtime::Folder("../closedform".into()));
         let out = tempfile::tempdir().unwrap();
-        let said = |text: &str| read(text).dependency(out.path(), Path::new("")).map_err(|error| error.to_string());
+        let said =
+            |text: &str| read(text).dependency(&RUNTIME, out.path(), Path::new("")).map_err(|error| error.to_string());
         assert_eq!(said("git@host:a.git"), Ok("{ git = \"git@host:a.git\" }".to_owned()));
         assert_eq!(said("version"), Ok(format!("\"{}\"", env!("CARGO_PKG_VERSION"))));
         assert!(said("nowhere").unwrap_err().contains("no runtime at nowhere"));

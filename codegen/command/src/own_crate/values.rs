@@ -12,26 +12,17 @@ use closedform_project::sample::sample;
 /// How many points each kernel's judge has.
 const POINTS: usize = 200;
 
-/// The values of kernels behind the line that marks their file: sums of two doubles, all in hexadecimal bits.
-pub(super) fn text(catalogue: &Catalogue, mark: &str) -> miette::Result<String> {
-    let mut text = mark.to_owned();
-    for entry in catalogue.entries() {
-        values_of(entry, &mut text)?;
-    }
-    Ok(text)
-}
-
-/// The values of the modules in a folder that have none yet, by file name.
+/// The values of the modules in a folder that have none yet, by file name: sums of two doubles, in hexadecimal bits.
 pub(super) fn missing(catalogue: &Catalogue, folder: &Path) -> miette::Result<BTreeMap<String, String>> {
-    let mut files = BTreeMap::new();
+    let mut files: BTreeMap<&str, String> = BTreeMap::new();
     for entry in catalogue.entries() {
-        let name = format!("{}.tsv", entry.family);
-        if !folder.join(&name).exists() {
-            let source = std::fs::read_to_string(folder.join(format!("{}.rs", entry.family))).unwrap_or_default();
-            values_of(entry, files.entry(name).or_insert_with(|| text::mark_of_values(&source)))?;
+        if !folder.join(format!("{}.tsv", entry.family)).exists() {
+            values_of(entry, files.entry(&entry.family).or_default())?;
         }
     }
-    Ok(files)
+    let module = |family: &str| std::fs::read_to_string(folder.join(format!("{family}.rs"))).unwrap_or_default();
+    let files = files.into_iter();
+    Ok(files.map(|(family, values)| (format!("{family}.tsv"), text::values(&module(family), &values))).collect())
 }
 
 fn values_of(entry: &Entry, text: &mut String) -> miette::Result<()> {

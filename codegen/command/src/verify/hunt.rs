@@ -1,6 +1,5 @@
 //! `closedform verify --hunt`: kernels hunted for their worst inputs, which may be kept.
 
-use std::path::Path;
 use std::time::{Duration, Instant};
 
 use indicatif::ProgressBar;
@@ -11,6 +10,7 @@ use closedform_measure::accuracy::Reference;
 use closedform_measure::catalogue::{Catalogue, Entry};
 use closedform_measure::hunt::{Bag, Budget, Prey, hunt};
 use closedform_measure::kept::KeptInputs;
+use closedform_project::Project;
 
 /// What the hunts of all kernels may spend.
 #[derive(Clone, Copy, Debug)]
@@ -32,17 +32,17 @@ pub fn hunted(
     catalogue: &Catalogue,
     entries: &[&Entry],
     plan: Plan,
-    root: &Path,
+    project: &Project,
     bar: &ProgressBar,
 ) -> miette::Result<(Vec<Row>, Vec<Unmeasured>)> {
-    let mut kept = KeptInputs::load(root)?;
+    let mut kept = KeptInputs::load(&project.records)?;
     let (mut rows, mut unmeasured) = (Vec::new(), Vec::new());
     let begin = Instant::now();
     for (turn, entry) in entries.iter().enumerate() {
         bar.set_message(entry.full_name());
         match hunt_one(entry, &kept, share(plan.budget, begin, &entries[turn..]), plan.seed) {
             Ok((rows_of_entry, bag)) => {
-                let replay = Replay { root, seed: plan.seed };
+                let replay = Replay { root: &project.root, seed: plan.seed };
                 rows.extend(Row::hunted(entry, &rows_of_entry, &bag, &replay));
                 kept.replace(entry, &bag.worst);
             }
@@ -51,7 +51,7 @@ pub fn hunted(
         bar.inc(1);
     }
     if plan.keep {
-        kept.write(root, catalogue)?;
+        kept.write(&project.records, catalogue)?;
     }
     Ok((rows, unmeasured))
 }

@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 /// Symbolica runs once a machine: tests that generate take turns.
 static TURN: Mutex<()> = Mutex::new(());
@@ -58,39 +58,38 @@ fn said(output: &Output) -> String {
     format!("{}\n{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr))
 }
 
-/// A project of its own with this repository's worksheets and kernels.
+/// A project of its own with this repository's worksheets, records and kernels.
 pub fn project() -> tempfile::TempDir {
     let project = tempfile::tempdir().expect("a temporary folder");
-    for folder in ["maxima-ref", "kernels/src/generated"] {
+    for folder in ["maxima-ref", "kernels", "tests/worst"] {
         copy(&repository().join(folder), &project.path().join(folder));
+    }
+    for file in ["closedform.toml", "tests/LEDGER.csv", "tests/EQUIVALENT.toml", "tests/POINTS.toml"] {
+        fs::copy(repository().join(file), project.path().join(file)).expect("a copy");
     }
     project
 }
 
-/// A project with two of this repository's families, which takes a second to generate.
+/// A project with two of this repository's families, as generated.
 pub fn small_project() -> tempfile::TempDir {
-    const FAMILIES: [&str; 2] = ["pvt", "turnaround"];
     let project = tempfile::tempdir().expect("a temporary folder");
-    let (worksheets, kernels) = (Path::new("maxima-ref"), Path::new("kernels/src/generated"));
-    for family in FAMILIES {
-        let of_family = ["mac", "toml", "ref", "tsv"].map(|end| worksheets.join(format!("{family}.{end}")));
-        for file in of_family.into_iter().chain([kernels.join(format!("{family}.rs"))]) {
-            let target = project.path().join(&file);
-            fs::create_dir_all(target.parent().expect("a folder")).expect("a folder");
-            fs::copy(repository().join(file), target).expect("a copy");
-        }
-    }
-    let index = fs::read_to_string(repository().join(kernels).join("mod.rs")).expect("the index");
-    let is_entry = |line: &&str| line.starts_with("    &");
-    let is_ours = |line: &&str| FAMILIES.iter().any(|family| line.contains(family));
-    let lines = index.lines().filter(|line| !(is_entry(line) || line.starts_with("pub mod ")) || is_ours(line));
-    let mut lines: Vec<String> = lines.map(str::to_owned).collect();
-    let count = lines.iter().filter(|line| is_entry(&line.as_str())).count();
-    let list = lines.iter_mut().find(|line| line.starts_with("pub static ALL")).expect("the list");
-    *list = format!("pub static ALL: [&Kernel; {count}] = [");
-    fs::write(project.path().join(kernels).join("mod.rs"), lines.join("\n") + "\n").expect("the index is written");
+    copy(SMALL.path(), project.path());
     project
 }
+
+/// The small project, generated once.
+static SMALL: LazyLock<tempfile::TempDir> = LazyLock::new(|| {
+    let project = tempfile::tempdir().expect("a temporary folder");
+    let worksheets = project.path().join("maxima-ref");
+    fs::create_dir(&worksheets).expect("a folder");
+    for family in ["pvt", "turnaround"] {
+        for file in ["mac", "toml", "ref", "tsv"].map(|end| format!("{family}.{end}")) {
+            fs::copy(repository().join("maxima-ref").join(&file), worksheets.join(&file)).expect("a copy");
+        }
+    }
+    succeeds(project.path(), &["generate"]);
+    project
+});
 
 fn copy(from: &Path, to: &Path) {
     fs::create_dir_all(to).expect("a folder");
@@ -109,4 +108,13 @@ pub fn edit(file: &Path, old: &str, new: &str) {
     let text = fs::read_to_string(file).expect("the file is there");
     assert!(text.contains(old), "{} has no {old:?}", file.display());
     fs::write(file, text.replacen(old, new, 1)).expect("the file is written");
+}
+
+/// Stamps a generated file anew, as somebody does who means to deceive.
+pub fn restamp(file: &Path) {
+    let text = fs::read_to_string(file).expect("the file is there");
+    let stamp = closedform_build::Stamp::read(&text).expect("a stamp");
+    let without: Vec<&str> = text.lines().enumerate().filter(|(at, _)| *at != 1).map(|(_, line)| line).collect();
+    let forged = closedform_build::stamped(&(without.join("\n") + "\n"), &stamp.version, stamp.inputs);
+    fs::write(file, forged).expect("the file is written");
 }

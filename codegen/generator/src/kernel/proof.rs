@@ -73,6 +73,14 @@ pub enum ProofError {
     Reference(#[from] KernelError),
 }
 
+impl ProofError {
+    /// Whether nothing was shown, because it takes more work than one formula may.
+    #[must_use]
+    pub fn is_beyond_limit(&self) -> bool {
+        matches!(self, Self::Reference(KernelError::TooMuchWork(_)))
+    }
+}
+
 /// Proves that a kernel equals its reference expressions on the domain of its contract.
 ///
 /// # Errors

@@ -12,10 +12,15 @@ use super::super::golden::GoldenError;
 use super::super::hexfloat;
 use super::super::maxima_process::ProcessError;
 use super::super::sample::EmptyDomain;
+use super::super::source::ReadError;
 
 /// Why nothing was derived.
 #[derive(Debug, Error, Diagnostic)]
 pub enum DeriveError {
+    /// A file cannot be read.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Read(#[from] ReadError),
     /// The contract is wrong.
     #[error(transparent)]
     #[diagnostic(transparent)]

@@ -2,10 +2,14 @@
 
 use crate::algebra::Var;
 use crate::algebra::polynomial::rational_gcd;
+use crate::algebra::work::spend;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::collections::BTreeMap;
+
+/// What a product of terms costs, in additions of terms.
+const TERM: usize = 8;
 
 /// A polynomial with rational coefficients: its terms by their exponents, none of them zero.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -39,6 +43,7 @@ impl Sparse {
 
     /// The sum.
     pub fn plus(&self, other: &Self) -> Self {
+        spend(self.count() + other.count());
         let mut sum = self.clone();
         other.terms.iter().for_each(|(exponents, coefficient)| sum.insert(exponents.clone(), coefficient.clone()));
         sum
@@ -46,6 +51,7 @@ impl Sparse {
 
     /// The product.
     pub fn times(&self, other: &Self) -> Self {
+        spend(TERM * self.count() * other.count());
         let mut product = Self::zero(self.size);
         for (left, a) in &self.terms {
             for (right, b) in &other.terms {
