@@ -7,7 +7,7 @@ use closedform_tests::layering::{self, Edge};
 use closedform_tests::workspace::{self, Source};
 
 /// What crates may depend on, among those of the workspace.
-const CRATES: [(&str, &str); 48] = [
+const CRATES: [(&str, &str); 49] = [
     ("closedform", "closedform-arith"),
     ("closedform", "closedform-derive"),
     ("closedform-bounds", "closedform-arith"),
@@ -31,6 +31,7 @@ const CRATES: [(&str, &str); 48] = [
     ("closedform-generator", "closedform-project"),
     ("closedform-generator", "closedform-syntax"),
     ("closedform-kernels", "closedform"),
+    ("closedform-maxima", "closedform-arith"),
     ("closedform-measure", "closedform-arith"),
     ("closedform-measure", "closedform-maxima"),
     ("closedform-measure", "closedform-project"),

@@ -26,6 +26,7 @@ mod print;
 mod token;
 
 pub use ast::{BinaryOperator, Expr, ExprKind, Statement, Terminator, UnaryOperator};
+pub use closedform_arith::Relation;
 pub use definition::{Definition, Worksheet, definition, definitions, worksheet};
 pub use double::{DoubleOperations, double_operations, evaluate_double};
 pub use error::{DIGIT_LIMIT, Error, Errors};

@@ -1,12 +1,15 @@
 //! Domains: conditions on a kernel's inputs, decided exactly.
 
 mod condition;
+mod error;
 mod exact;
 mod magnitude;
+mod read;
 
 use rug::Rational;
 
-pub use condition::{Comparison, ComparisonOperator, Condition, ConditionError};
+pub use condition::{Comparison, Condition};
+pub use error::ConditionError;
 
 /// Where a kernel's promise holds: all conditions hold, and all inputs are finite.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,7 +86,7 @@ impl Domain {
 }
 
 /// The same point in rationals; `None` if a coordinate is not finite.
-pub(super) fn exact(point: &[f64]) -> Option<Vec<Rational>> {
+pub fn exact(point: &[f64]) -> Option<Vec<Rational>> {
     point.iter().map(|value| Rational::from_f64(*value)).collect()
 }
 

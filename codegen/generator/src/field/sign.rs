@@ -1,9 +1,11 @@
 //! Signs: what the domain says about the sign of a polynomial.
 
 use crate::algebra::{Polynomial, Ring, Var};
+use closedform_arith::Relation;
 use num_rational::BigRational;
 use num_traits::Signed;
 use std::cell::RefCell;
+use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::fmt;
 use std::ops::{BitAnd, Mul, Neg};
@@ -42,6 +44,13 @@ impl Sign {
         } else {
             Self::ZERO
         }
+    }
+
+    /// The signs of what stands so to zero.
+    #[must_use]
+    pub fn of_relation(relation: Relation) -> Self {
+        let orders = [(Ordering::Less, NEGATIVE), (Ordering::Equal, ZERO), (Ordering::Greater, POSITIVE)];
+        Self(orders.into_iter().filter(|(order, _)| relation.holds(*order)).fold(0, |set, (_, sign)| set | sign))
     }
 
     /// Whether every sign in this set is in the other one.

@@ -2,7 +2,7 @@
 
 use super::Expr;
 use closedform_maxima::ast::{BinaryOperator, Expr as Ast, ExprKind, UnaryOperator};
-use closedform_maxima::exact;
+use closedform_maxima::{Relation, exact};
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 use std::ops::Range;
@@ -75,7 +75,7 @@ fn binary(operator: BinaryOperator, left: &Ast, right: &Ast, ast: &Ast) -> Resul
         BinaryOperator::Multiply => Ok(lower(left)?.times(lower(right)?)),
         BinaryOperator::Divide => Ok(lower(left)?.over(lower(right)?)),
         BinaryOperator::Power => power(left, right, ast),
-        BinaryOperator::Equal => {
+        BinaryOperator::Compare(Relation::Equal) => {
             Err(unsupported(ast, "an equation", "name the side that is meant, for example rhs(solution)"))
         }
         _ => Err(unsupported(ast, "this operator", "write a formula of + - * / ^ and sqrt")),
