@@ -64,7 +64,7 @@ impl ConditionError {
             Self::NotComparison { .. } => "compare with < <= > >= = #, and join comparisons with and, or, not",
             Self::UnknownVariable { .. } => "add it to the kernel's `inputs`, or correct its name",
             Self::NotRational { .. } => "use only + - * /, abs, numbers and small integer powers; square away roots",
-            Self::NoValue { .. } => "correct it: no inputs meet the condition as it stands",
+            Self::NoValue { .. } => "correct it, or leave this comparison out: it holds at no inputs",
         }
     }
 

@@ -1,19 +1,21 @@
 //! A worksheet that nobody wrote a contract for: its definitions are its reference expressions.
 
 mod inline;
+mod judged;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use closedform_maxima::{Definition, worksheet};
+use closedform_maxima::Definition;
 use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
 use super::super::contract::{self, Contract, FamilyInfo, Input, KernelContract, ResultContract, TYPICAL};
 use super::super::domain::Domain;
 use super::super::source::{self, Text};
-use super::reference::{self, ReferenceMistake};
+use super::reference::ReferenceMistake;
 use super::{Family, FamilyError, Paths};
+use judged::Judged;
 
 /// Why a worksheet is not a list of definitions that kernels can be made of.
 #[derive(Debug, Error, Diagnostic)]
@@ -124,8 +126,24 @@ fn computing(statements: usize) -> String {
     }
 }
 
-/// The family of a worksheet, with the contract and reference expressions beside it, if there are any.
-pub(super) fn load(path: &Path) -> Result<Family, FamilyError> {
+/// What of a worksheet can become kernels.
+#[derive(Debug)]
+pub struct Sheet {
+    /// The kernels with whose formulas nothing is wrong so far; perhaps none.
+    pub family: Family,
+    /// What is wrong with the others, if there are any.
+    pub error: Option<WorksheetError>,
+}
+
+impl Sheet {
+    /// The family, if nothing is wrong with any formula.
+    pub(super) fn whole(self) -> Result<Family, FamilyError> {
+        self.error.map_or(Ok(self.family), |error| Err(error.into()))
+    }
+}
+
+/// The formulas of a worksheet, with the contract and reference expressions beside it, if there are any.
+pub(super) fn load(path: &Path) -> Result<Sheet, FamilyError> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let paths = Paths { worksheet: path.to_owned(), ..Paths::new(folder, &stem) };
@@ -135,17 +153,19 @@ pub(super) fn load(path: &Path) -> Result<Family, FamilyError> {
         false => None,
     };
     let contract = match contract {
-        Some(contract) if paths.reference.exists() => return Family::derived(&name, contract, paths),
+        Some(contract) if paths.reference.exists() => {
+            return Ok(Sheet { family: Family::derived(&name, contract, paths)?, error: None });
+        }
         contract => contract,
     };
     let text = source::read(path, "name a Maxima worksheet: a text in UTF-8 of definitions f(x,y):=..$")?;
-    let fail = |mistakes| FamilyError::from(WorksheetError::new(path, &text, mistakes));
-    let definitions = closed_definitions(&text).map_err(fail)?;
-    let contract = contract.unwrap_or_else(|| contract_of(&file_name(path), &definitions));
-    let promised = definitions.into_iter().filter(|d| contract.results().any(|(_, result)| result.worksheet == d.name));
-    let references = reference::in_order(promised.collect(), &contract);
-    let references = references.map_err(|mistakes| fail(mistakes.into_iter().map(Into::into).collect()))?;
-    Ok(Family { name, contract, references, paths })
+    let judged = Judged::new(&text);
+    let mut contract = contract.unwrap_or_else(|| contract_of(&file_name(path), &judged.definitions));
+    let ((kernels, references), mistakes) = judged.against(&contract);
+    contract.kernels = kernels;
+    let error = (!mistakes.is_empty()).then(|| WorksheetError::new(path, &text, mistakes));
+    let places = source::places(path, &text, references.iter().map(|reference| reference.span.start));
+    Ok(Sheet { family: Family { name, contract, references, places, paths }, error })
 }
 
 fn file_name(path: &Path) -> String {
@@ -160,39 +180,21 @@ impl WorksheetError {
     }
 }
 
-/// The definitions of a text, with every call of one in another replaced by its body.
-fn closed_definitions(text: &str) -> Result<Vec<Definition>, Vec<WorksheetMistake>> {
-    let sheet = worksheet(text).map_err(|errors| errors.errors.into_iter().map(Into::into).collect::<Vec<_>>())?;
-    if let Some(first) = sheet.others.first() {
-        let span = first.expression.span.clone().into();
-        return Err(vec![WorksheetMistake::Computes { statements: sheet.others.len(), span }]);
-    }
-    let mistakes = definitions_mistakes(text, &sheet.definitions);
-    if mistakes.is_empty() { inline::inline(&sheet.definitions) } else { Err(mistakes) }
-}
-
-fn definitions_mistakes(text: &str, definitions: &[Definition]) -> Vec<WorksheetMistake> {
-    let mut mistakes = Vec::new();
-    if definitions.is_empty() {
-        mistakes.push(WorksheetMistake::Nothing);
-    }
-    if let Err(twice) = closedform_maxima::definitions(text) {
-        mistakes.extend(twice.errors.into_iter().map(WorksheetMistake::from));
-    }
-    for definition in definitions {
-        let (name, span) = (definition.name.clone(), SourceSpan::from(definition.span.clone()));
-        if definition.parameters.is_empty() {
-            mistakes.push(WorksheetMistake::Constant { name, span });
-        } else if let Some(parameter) = repeated(&definition.parameters) {
-            mistakes.push(WorksheetMistake::Parameter { name, parameter, span });
+impl WorksheetMistake {
+    /// Where it is, if it has a place.
+    fn span(&self) -> Option<SourceSpan> {
+        match self {
+            Self::Text(error) => Some(error.span().into()),
+            Self::Body(mistake) => mistake.span(),
+            Self::Nothing => None,
+            Self::Computes { span, .. }
+            | Self::Constant { span, .. }
+            | Self::Parameter { span, .. }
+            | Self::Recursion { span, .. }
+            | Self::Arguments { span, .. }
+            | Self::TooLarge { span, .. } => Some(*span),
         }
     }
-    mistakes
-}
-
-fn repeated(names: &[String]) -> Option<String> {
-    let mut seen = BTreeSet::new();
-    names.iter().find(|name| !seen.insert(*name)).cloned()
 }
 
 /// What can be promised without anybody's word: every definition is a kernel, every quantity without a unit, and digits
