@@ -19,7 +19,7 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum PipelineError {
     /// A kernel could not be made.
-    #[error("kernel `{kernel}`, {place}: {cause}")]
+    #[error("{place}: kernel `{kernel}`: {cause}")]
     Kernel {
         /// `family::name`
         kernel: String,
@@ -30,7 +30,7 @@ pub enum PipelineError {
     },
     /// A domain without points.
     #[error(
-        "kernel `{kernel}`, {place}, has an empty domain: {cause}\ncorrect the conditions, or the `typical` magnitudes of its inputs"
+        "{place}: kernel `{kernel}` has an empty domain: {cause}\ncorrect the conditions, or the `typical` magnitudes of its inputs"
     )]
     Empty {
         /// `family::name`
@@ -52,7 +52,7 @@ pub enum PipelineError {
     #[error("kernel `{0}` is not in the generated text")]
     Missing(String),
     /// A kernel is not proved.
-    #[error("kernel `{kernel}`, {place}: {cause}")]
+    #[error("{place}: kernel `{kernel}`: {cause}")]
     Unproved {
         /// `family::name`
         kernel: String,
@@ -63,7 +63,7 @@ pub enum PipelineError {
     },
     /// A bound is not what the Rust text proves.
     #[error(
-        "kernel `{kernel}`, {place}: its bound is not re-derived from the Rust text:\n{cause}\nin a generated kernel: say more of \
+        "{place}: kernel `{kernel}`: its bound is not re-derived from the Rust text:\n{cause}\nin a generated kernel: say more of \
          the signs in a contract's domain, or split the formula"
     )]
     Bound {

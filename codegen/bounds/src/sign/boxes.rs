@@ -10,8 +10,8 @@ use num_rational::BigRational;
 use num_traits::Zero;
 use std::collections::BTreeMap;
 
-/// How many boxes are looked at before a sign is given up.
-const BOXES: usize = 256;
+/// How many terms are evaluated, in one box after another, before a sign is given up.
+const TERMS: usize = 4096;
 
 /// The ranges of atoms.
 type Ranges = BTreeMap<Atom, Range>;
@@ -23,6 +23,7 @@ pub(super) fn sign(facts: &Facts, polynomial: &Polynomial) -> Sign {
         return Sign::ANY;
     }
     let mut boxes = vec![whole];
+    let most = TERMS / polynomial.size().max(1);
     let (mut found, mut looked) = (NONE, 0);
     while let Some(part) = boxes.pop() {
         looked += 1;
@@ -30,7 +31,7 @@ pub(super) fn sign(facts: &Facts, polynomial: &Polynomial) -> Sign {
         if there.is_definite() {
             found = found.or(there);
         } else {
-            let Some(halves) = halves(polynomial, &part).filter(|_| looked + boxes.len() < BOXES) else {
+            let Some(halves) = halves(polynomial, &part).filter(|_| looked + boxes.len() < most) else {
                 return Sign::ANY;
             };
             // two points of different signs end the search

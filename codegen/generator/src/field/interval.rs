@@ -7,8 +7,9 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 use std::cmp::Ordering;
 
-/// How many parts of a box are looked at before a sign is given up.
-const PARTS: usize = 64;
+/// How many terms are evaluated, on one part of a box after another, before a sign is given up. The bounds are proved with
+/// more patience: what is found here must be found there again.
+const TERMS: usize = 1024;
 
 /// A number or an infinity.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -142,20 +143,17 @@ fn product(a: &(Limit, bool), b: &(Limit, bool)) -> (Limit, bool) {
 pub fn sign_on(ranges: &[Interval], terms: &[Term]) -> Sign {
     let mut parts = vec![ranges.to_vec()];
     let mut signs: Option<Sign> = None;
+    let most = TERMS / terms.len().max(1);
     for looked in 1.. {
         let Some(part) = parts.pop() else { break };
         let mut sign = value(&part, terms).sign();
         if !sign.is_definite() {
-            let wide = widest(&part, terms).filter(|_| looked + parts.len() < PARTS);
+            let wide = widest(&part, terms).filter(|_| looked + parts.len() < most);
             let Some(var) = wide else { return Sign::ANY };
+            // points of both signs end the search
             let point: Vec<Interval> = part.iter().map(|interval| Interval::of(&interval.inner())).collect();
             sign = value(&point, terms).sign();
-            let middle = part[var].inner();
-            parts.extend([Relation::LessOrEqual, Relation::GreaterOrEqual].map(|side| {
-                let mut half = part.clone();
-                half[var] = half[var].clone().related(side, &middle);
-                half
-            }));
+            parts.extend(halves(&part, var));
         }
         let all = signs.map_or(sign, |signs| signs.or(sign));
         if !all.is_definite() {
@@ -164,6 +162,14 @@ pub fn sign_on(ranges: &[Interval], terms: &[Term]) -> Sign {
         signs = Some(all);
     }
     signs.unwrap_or(Sign::ANY)
+}
+
+fn halves(part: &[Interval], var: usize) -> [Vec<Interval>; 2] {
+    [Relation::LessOrEqual, Relation::GreaterOrEqual].map(|side| {
+        let mut half = part.to_vec();
+        half[var] = half[var].clone().related(side, &part[var].inner());
+        half
+    })
 }
 
 fn value(ranges: &[Interval], terms: &[Term]) -> Interval {

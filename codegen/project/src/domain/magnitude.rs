@@ -2,6 +2,8 @@
 
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator};
 
+use crate::construct::{binary, compared, integer, negative};
+
 /// The most magnitudes of a comparison: each doubles what is compared.
 const MOST: usize = 8;
 
@@ -26,10 +28,7 @@ pub(super) fn without_one(relation: Relation, left: &Expr, right: &Expr) -> Opti
 
 /// What holds where the sign is known.
 fn by_sign(inner: &Expr, as_it_is: Expr, negated: Expr) -> Expr {
-    let case = |relation, then| {
-        let zero = ExprKind::Integer(0.into()).into();
-        binary(BinaryOperator::And, compared(relation, inner.clone(), zero), then)
-    };
+    let case = |relation, then| binary(BinaryOperator::And, compared(relation, inner.clone(), integer(0)), then);
     let (above, below) = (case(Relation::GreaterOrEqual, as_it_is), case(Relation::Less, negated));
     binary(BinaryOperator::Or, above, below)
 }
@@ -107,20 +106,6 @@ fn replaced(expr: &Expr, inner: &Expr, value: &Expr) -> Expr {
         kind => kind.clone(),
     };
     Expr::new(kind, expr.span.clone())
-}
-
-fn negative(expr: Expr) -> Expr {
-    let span = expr.span.clone();
-    Expr::new(ExprKind::Unary { operator: UnaryOperator::Minus, operand: Box::new(expr) }, span)
-}
-
-fn compared(relation: Relation, left: Expr, right: Expr) -> Expr {
-    binary(BinaryOperator::Compare(relation), left, right)
-}
-
-fn binary(operator: BinaryOperator, left: Expr, right: Expr) -> Expr {
-    let span = left.span.clone();
-    Expr::new(ExprKind::Binary { operator, left: Box::new(left), right: Box::new(right) }, span)
 }
 
 #[cfg(test)]

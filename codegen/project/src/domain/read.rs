@@ -7,6 +7,7 @@ use super::condition::{Comparison, Condition};
 use super::error::ConditionError;
 use super::exact::Exact;
 use super::magnitude;
+use crate::construct::integer;
 use crate::expression::{Expr, LowerError, lower};
 
 /// The largest power a condition may contain; exact arithmetic would never finish beyond.
@@ -46,11 +47,10 @@ fn comparison(relation: Relation, lhs: &Ast, rhs: &Ast, variables: &[String]) ->
         Comparison::new(relation, left, right, variables)
             .ok_or_else(|| ConditionError::NotRational { span: lhs.span.clone() })
     };
-    let zero = ExprKind::Integer(0.into()).into();
     let whole = compared(relation, lhs, rhs)?;
     let divisors = divisors_in(lhs).into_iter().chain(divisors_in(rhs)).collect::<Vec<_>>();
     let first = (0..divisors.len()).filter(|&at| !divisors[..at].contains(&divisors[at]));
-    let not_zero = first.map(|at| compared(Relation::NotEqual, divisors[at], &zero)).collect::<Result<_, _>>()?;
+    let not_zero = first.map(|at| compared(Relation::NotEqual, divisors[at], &integer(0))).collect::<Result<_, _>>()?;
     Ok(whole.divided_by(not_zero))
 }
 
