@@ -129,7 +129,7 @@ const CIRCLES: [(&str, &[&str], &str); 30] = [
     ("codegen/mutants/src/kind", &["mod.rs", "whole.rs"], WHOLE),
     ("codegen/project/src", &["contract.rs", "contract/check.rs", "contract/error.rs"], WHOLE),
     ("codegen/project/src/expression", &["lower.rs", "mod.rs"], WHOLE),
-    ("codegen/project/src", &["family.rs", "family/stranger.rs", "family/stranger/inline.rs"], WHOLE),
+    ("codegen/project/src", &["family.rs", "family/stranger.rs"], WHOLE),
     (
         "codegen/project/src",
         &["maxima_process.rs", "maxima_process/child.rs", "maxima_process/transcript.rs", "maxima_process/watch.rs"],

@@ -4,7 +4,7 @@
 //! decided too, unless they reach zero.
 
 use super::range::Range;
-use super::{Facts, Sign};
+use super::set::Sign;
 use crate::polynomial::{Atom, Polynomial};
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -16,9 +16,9 @@ const TERMS: usize = 4096;
 /// The ranges of atoms.
 type Ranges = BTreeMap<Atom, Range>;
 
-/// The sign of a polynomial in the box that facts tell of; open where they tell signs of atoms only.
-pub(super) fn sign(facts: &Facts, polynomial: &Polynomial) -> Sign {
-    let whole: Ranges = polynomial.atoms().into_iter().map(|atom| (atom, Range::of(facts, atom))).collect();
+/// The sign of a polynomial in the box of its atoms; open where their signs are all that is known.
+pub(super) fn sign(polynomial: &Polynomial, range_of: impl Fn(Atom) -> Range) -> Sign {
+    let whole: Ranges = polynomial.atoms().into_iter().map(|atom| (atom, range_of(atom))).collect();
     if !whole.values().any(Range::is_more_than_a_sign) {
         return Sign::ANY;
     }
@@ -80,6 +80,7 @@ fn halves(polynomial: &Polynomial, part: &Ranges) -> Option<[Ranges; 2]> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Facts;
     use super::*;
 
     fn number(value: i64) -> Polynomial {

@@ -1,5 +1,6 @@
 //! The search for a sign: certificates over the rationals, each of them exact.
 
+use super::range::Range;
 use super::{Facts, Sign, boxes};
 use crate::polynomial::{Atom, Polynomial};
 use num_rational::BigRational;
@@ -38,7 +39,7 @@ impl Search {
 
     /// The sign of a polynomial: by the box that bounds its atoms, if there is one, then looked for ever deeper.
     pub fn sign(&self, facts: &Facts, polynomial: &Polynomial) -> Sign {
-        let mut sign = boxes::sign(facts, polynomial);
+        let mut sign = boxes::sign(polynomial, |atom| Range::of(atom, facts.atom(atom), facts.known()));
         if sign.is_strict() {
             return sign;
         }

@@ -1,6 +1,6 @@
 //! Ranges: interval arithmetic over rational numbers, without any rounding.
 
-use super::{Facts, Sign};
+use super::set::Sign;
 use crate::polynomial::{Atom, Polynomial};
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -97,8 +97,8 @@ impl End {
 }
 
 impl Range {
-    /// What facts say of an atom: its sign, and signs of its differences from numbers.
-    pub(super) fn of(facts: &Facts, atom: Atom) -> Self {
+    /// What is known of an atom: its sign, and of polynomials those of its differences from numbers.
+    pub(super) fn of(atom: Atom, sign: Sign, known: &[(Polynomial, Sign)]) -> Self {
         let of_fact = |(known, sign): &(Polynomial, Sign)| {
             let coefficients = known.coefficients(atom);
             let [rest, slope] = coefficients.as_slice() else { return None };
@@ -106,7 +106,7 @@ impl Range {
             let offset = Self::of_sign(sign.times(Sign::of(&slope)));
             Some(offset.plus(&Self::number(-rest / slope)))
         };
-        facts.known().iter().filter_map(of_fact).fold(Self::of_sign(facts.atom(atom)), |range, fact| range.and(fact))
+        known.iter().filter_map(of_fact).fold(Self::of_sign(sign), |range, fact| range.and(fact))
     }
 
     fn of_sign(sign: Sign) -> Self {

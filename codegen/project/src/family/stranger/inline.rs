@@ -4,10 +4,7 @@ use std::collections::BTreeMap;
 
 use closedform_maxima::{Definition, Expr, ExprKind};
 
-use super::WorksheetMistake;
-
-/// The most nodes that calls may put into the formulas of a worksheet.
-pub(super) const SIZE_LIMIT: usize = 100_000;
+use super::mistake::{SIZE_LIMIT, WorksheetMistake};
 
 /// The definitions with every call of one of them replaced by its body, those that this is possible for, and what is wrong
 /// with the others, each cause once.

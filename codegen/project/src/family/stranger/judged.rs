@@ -6,7 +6,8 @@ use closedform_maxima::{Definition, Worksheet, defined_twice, readable_worksheet
 use miette::SourceSpan;
 
 use super::super::reference::{self, ReferenceMistake};
-use super::{WorksheetMistake, inline};
+use super::inline;
+use super::mistake::WorksheetMistake;
 use crate::contract::{Contract, KernelContract};
 
 /// A worksheet whose definitions are put into each other.
