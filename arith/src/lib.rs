@@ -3,7 +3,7 @@
 //! [`Real`] is what a program asks of an arithmetic. The tiers of a call ([`tier`]) are `f64` ([`Plain`]), double-double
 //! ([`Guarded`]), integers with an exponent that never runs out ([`Soft`]), and for certified kernels balls of more and
 //! more words. [`error_model`] says how far off their operations are, and on what authority; [`range`] between which
-//! magnitudes that holds; [`limits`] how large a kernel may be.
+//! magnitudes that holds; [`limits`] how large a kernel may be. [`Relation`] is how two numbers compare, in all languages.
 //!
 //! Everything else stands on this crate: what runs kernels, what reads them, and what proves their bounds.
 //!
@@ -33,6 +33,7 @@ mod plain;
 mod precision;
 pub mod range;
 mod real;
+mod relation;
 mod root;
 mod soft;
 mod terms;
@@ -45,6 +46,7 @@ pub use mpfr::Mpfr;
 pub use plain::Plain;
 pub use precision::Precision;
 pub use real::Real;
+pub use relation::Relation;
 pub use root::positive_root;
 pub use soft::Soft;
 pub use terms::{Term, Terms};

@@ -2,8 +2,8 @@
 //!
 //! In the emitted code every name is a `&R`. All shapes run this one program, so they cannot disagree.
 
-use closedform_syntax::{BinaryOp, Comparison, Condition, Expr, Kernel, Let, Operand, Operation, Part, Slice, Wide};
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use closedform_syntax::{BinaryOp, Condition, Expr, Kernel, Let, Operand, Operation, Part, Relation, Slice, Wide};
+use proc_macro2::{Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::quote;
 
 /// The body of `evaluate<R>(inputs: &[R; N]) -> [R; M]`.
@@ -137,7 +137,7 @@ fn method(op: BinaryOp) -> &'static str {
 fn condition(test: &Condition) -> TokenStream {
     match test {
         Condition::Compare { op, left, right } => {
-            let (left, op, right) = (borrowed(left), comparison(*op), borrowed(right));
+            let (left, op, right) = (borrowed(left), operator(*op), borrowed(right));
             quote!((#left #op #right))
         }
         Condition::And(left, right) => {
@@ -155,15 +155,11 @@ fn condition(test: &Condition) -> TokenStream {
     }
 }
 
-fn comparison(op: Comparison) -> TokenStream {
-    match op {
-        Comparison::Less => quote!(<),
-        Comparison::LessEqual => quote!(<=),
-        Comparison::Greater => quote!(>),
-        Comparison::GreaterEqual => quote!(>=),
-        Comparison::Equal => quote!(==),
-        Comparison::NotEqual => quote!(!=),
-    }
+/// The tokens of an operator of comparison: its letters, the last of them alone.
+fn operator(relation: Relation) -> TokenStream {
+    let letters = relation.rust().chars();
+    let rest = letters.clone().skip(1).map(|_| Spacing::Joint).chain([Spacing::Alone]);
+    letters.zip(rest).map(|(letter, spacing)| TokenTree::from(Punct::new(letter, spacing))).collect()
 }
 
 /// A `compensated!` slice, as an expression of type `&R`.

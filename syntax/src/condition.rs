@@ -1,10 +1,11 @@
 //! Conditions: comparisons of expressions, joined by `&&`, `||` and `!`.
 
+use closedform_arith::Relation;
 use syn::{BinOp, Expr, ExprBinary, UnOp};
 
 use crate::error;
 use crate::expression::Reader;
-use crate::kernel::{Comparison, Condition};
+use crate::kernel::Condition;
 
 impl Reader<'_> {
     /// Reads a condition.
@@ -21,7 +22,7 @@ impl Reader<'_> {
     }
 
     fn joined(&mut self, binary: &ExprBinary) -> Option<Condition> {
-        if let Some(op) = comparison(&binary.op) {
+        if let Some(op) = relation(&binary.op) {
             if [&binary.left, &binary.right].into_iter().any(|side| crate::comparison::is_decided(side)) {
                 self.errors.push(binary, error::CHAINED);
                 return None;
@@ -49,14 +50,14 @@ impl Reader<'_> {
     }
 }
 
-fn comparison(op: &BinOp) -> Option<Comparison> {
+fn relation(op: &BinOp) -> Option<Relation> {
     match op {
-        BinOp::Lt(_) => Some(Comparison::Less),
-        BinOp::Le(_) => Some(Comparison::LessEqual),
-        BinOp::Gt(_) => Some(Comparison::Greater),
-        BinOp::Ge(_) => Some(Comparison::GreaterEqual),
-        BinOp::Eq(_) => Some(Comparison::Equal),
-        BinOp::Ne(_) => Some(Comparison::NotEqual),
+        BinOp::Lt(_) => Some(Relation::Less),
+        BinOp::Le(_) => Some(Relation::LessOrEqual),
+        BinOp::Gt(_) => Some(Relation::Greater),
+        BinOp::Ge(_) => Some(Relation::GreaterOrEqual),
+        BinOp::Eq(_) => Some(Relation::Equal),
+        BinOp::Ne(_) => Some(Relation::NotEqual),
         _ => None,
     }
 }

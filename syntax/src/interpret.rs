@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use closedform_arith::Real;
+use closedform_arith::{Real, Relation};
 
 use crate::kernel::{BinaryOp, Condition, Expr, Kernel, Let, Slice};
 use crate::slice::{Operand, Operation, Part, Wide};
@@ -130,12 +130,17 @@ impl<R: Real> Machine<R> {
     /// Evaluates all of it, as the compiled kernel does: an arithmetic may note what happens in any part.
     fn holds(&self, condition: &Condition) -> bool {
         match condition {
-            Condition::Compare { op, left, right } => op.holds(self.value(left).partial_cmp(&self.value(right))),
+            Condition::Compare { op, left, right } => compares(*op, self.value(left).partial_cmp(&self.value(right))),
             Condition::And(left, right) => self.holds(left) & self.holds(right),
             Condition::Or(left, right) => self.holds(left) | self.holds(right),
             Condition::Not(inner) => !self.holds(inner),
         }
     }
+}
+
+/// Whether a relation holds of two numbers in this order; of a NaN, which has none, only that it differs.
+fn compares(relation: Relation, order: Option<Ordering>) -> bool {
+    order.map_or(relation == Relation::NotEqual, |order| relation.holds(order))
 }
 
 fn binary<R: Real>(op: BinaryOp, left: &R, right: &R) -> R {

@@ -1,6 +1,6 @@
 //! A kernel as a tree, checked and with its names resolved.
 
-use closedform_arith::Precision;
+use closedform_arith::{Precision, Relation};
 use proc_macro2::{Ident, Span};
 use std::fmt;
 use syn::{Attribute, Visibility};
@@ -233,8 +233,8 @@ pub enum BinaryOp {
 pub enum Condition {
     /// `left op right`
     Compare {
-        /// The operator.
-        op: Comparison,
+        /// How they compare.
+        op: Relation,
         /// The left operand.
         left: Expr,
         /// The right operand.
@@ -246,35 +246,4 @@ pub enum Condition {
     Or(Box<Condition>, Box<Condition>),
     /// `!condition`
     Not(Box<Condition>),
-}
-
-/// A comparison operator.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Comparison {
-    /// `<`
-    Less,
-    /// `<=`
-    LessEqual,
-    /// `>`
-    Greater,
-    /// `>=`
-    GreaterEqual,
-    /// `==`
-    Equal,
-    /// `!=`
-    NotEqual,
-}
-
-impl Comparison {
-    /// Whether it holds of two numbers in this order; `None` when one of them is NaN.
-    pub fn holds(self, order: Option<std::cmp::Ordering>) -> bool {
-        match self {
-            Comparison::Less => order.is_some_and(std::cmp::Ordering::is_lt),
-            Comparison::LessEqual => order.is_some_and(std::cmp::Ordering::is_le),
-            Comparison::Greater => order.is_some_and(std::cmp::Ordering::is_gt),
-            Comparison::GreaterEqual => order.is_some_and(std::cmp::Ordering::is_ge),
-            Comparison::Equal => order.is_some_and(std::cmp::Ordering::is_eq),
-            Comparison::NotEqual => !order.is_some_and(std::cmp::Ordering::is_eq),
-        }
-    }
 }

@@ -31,14 +31,12 @@ mod slice;
 mod unit;
 mod walk;
 
-pub use closedform_arith::Precision;
+pub use closedform_arith::{Precision, Relation};
 
 pub use certificate::{RULES, certificate, certified};
 pub use file::{Source, parse_file, sources};
 pub use interpret::{Violation, evaluate, violated};
-pub use kernel::{
-    BinaryOp, Comparison, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Require, ResultMeta, Slice,
-};
+pub use kernel::{BinaryOp, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Require, ResultMeta, Slice};
 pub use limits::check as check_limits;
 pub use magnitude::ordinary;
 pub use operations::{Operations, operations, operations_of};

@@ -1,6 +1,6 @@
 //! Conditions and expressions as text, for errors at run time and reports.
 
-use crate::kernel::{BinaryOp, Comparison, Condition, Expr};
+use crate::kernel::{BinaryOp, Condition, Expr};
 
 /// The expression as Rust text, with as few parentheses as its meaning needs.
 pub fn expression_text(expr: &Expr) -> String {
@@ -10,7 +10,7 @@ pub fn expression_text(expr: &Expr) -> String {
 /// The condition as Rust text, with as few parentheses as its meaning needs.
 pub fn condition_text(condition: &Condition) -> String {
     match condition {
-        Condition::Compare { op, left, right } => format!("{} {} {}", text(left, 0), comparison(*op), text(right, 0)),
+        Condition::Compare { op, left, right } => format!("{} {} {}", text(left, 0), op.rust(), text(right, 0)),
         Condition::And(left, right) => format!("{} && {}", operand_text(left), operand_text(right)),
         Condition::Or(left, right) => format!("{} || {}", condition_text(left), condition_text(right)),
         Condition::Not(inner) => format!("!({})", condition_text(inner)),
@@ -67,16 +67,5 @@ fn operator(op: BinaryOp) -> (u8, char) {
         BinaryOp::Sub => (SUM, '-'),
         BinaryOp::Mul => (PRODUCT, '*'),
         BinaryOp::Div => (PRODUCT, '/'),
-    }
-}
-
-fn comparison(op: Comparison) -> &'static str {
-    match op {
-        Comparison::Less => "<",
-        Comparison::LessEqual => "<=",
-        Comparison::Greater => ">",
-        Comparison::GreaterEqual => ">=",
-        Comparison::Equal => "==",
-        Comparison::NotEqual => "!=",
     }
 }

@@ -4,7 +4,7 @@ pub mod chain;
 pub mod motion;
 
 use closedform_maxima::ast::BinaryOperator;
-use closedform_maxima::{Expr, ExprKind};
+use closedform_maxima::{Expr, ExprKind, Relation};
 use rug::Rational;
 
 use crate::check::Judge;
@@ -49,8 +49,11 @@ impl Law {
 
     /// Whether equality satisfies it, so that bounds may lead beyond it.
     fn is_closed(&self) -> bool {
-        use BinaryOperator::{Equal, GreaterEqual, LessEqual};
-        matches!(self.claim.kind, ExprKind::Binary { operator: Equal | LessEqual | GreaterEqual, .. })
+        use Relation::{Equal, GreaterOrEqual, LessOrEqual};
+        matches!(
+            self.claim.kind,
+            ExprKind::Binary { operator: BinaryOperator::Compare(Equal | LessOrEqual | GreaterOrEqual), .. }
+        )
     }
 
     /// What must not be above zero.
@@ -59,12 +62,12 @@ impl Law {
         let excess = || Some(value(left, names)? - value(right, names)?);
         let deficit = |excess: &Option<Rational>| excess.as_ref().map(|excess| Rational::from(-excess));
         match operator {
-            BinaryOperator::Equal => {
+            BinaryOperator::Compare(Relation::Equal) => {
                 let excess = excess();
                 vec![deficit(&excess), excess]
             }
-            BinaryOperator::LessEqual => vec![excess()],
-            BinaryOperator::GreaterEqual => vec![deficit(&excess())],
+            BinaryOperator::Compare(Relation::LessOrEqual) => vec![excess()],
+            BinaryOperator::Compare(Relation::GreaterOrEqual) => vec![deficit(&excess())],
             _ => Vec::new(),
         }
     }

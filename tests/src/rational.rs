@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use closedform_maxima::ast::BinaryOperator as Operator;
-use closedform_maxima::{Expr, ExprKind, UnaryOperator, exact};
+use closedform_maxima::{Expr, ExprKind, Relation, UnaryOperator, exact};
 use rug::Rational;
 use rug::ops::Pow;
 
@@ -35,7 +35,8 @@ pub fn holds(condition: &Expr, names: &Names) -> Option<bool> {
         ExprKind::Binary { operator: Operator::And, left, right } => joined(left, right, names, false),
         ExprKind::Binary { operator: Operator::Or, left, right } => joined(left, right, names, true),
         ExprKind::Binary { operator, left, right } => {
-            compares(*operator, value(left, names)?.cmp(&value(right, names)?))
+            let Operator::Compare(relation) = operator else { return None };
+            Some(compares(*relation, value(left, names)?.cmp(&value(right, names)?)))
         }
         _ => None,
     }
@@ -77,16 +78,16 @@ fn combine(operator: Operator, left: Rational, right: Rational) -> Option<Ration
     }
 }
 
-fn compares(operator: Operator, order: Ordering) -> Option<bool> {
-    Some(match operator {
-        Operator::Equal => order.is_eq(),
-        Operator::NotEqual => order.is_ne(),
-        Operator::Less => order.is_lt(),
-        Operator::LessEqual => order.is_le(),
-        Operator::Greater => order.is_gt(),
-        Operator::GreaterEqual => order.is_ge(),
-        _ => return None,
-    })
+/// Decided here, not by the relation itself: the judges share its name only.
+fn compares(relation: Relation, order: Ordering) -> bool {
+    match relation {
+        Relation::Equal => order.is_eq(),
+        Relation::NotEqual => order.is_ne(),
+        Relation::Less => order.is_lt(),
+        Relation::LessOrEqual => order.is_le(),
+        Relation::Greater => order.is_gt(),
+        Relation::GreaterOrEqual => order.is_ge(),
+    }
 }
 
 #[cfg(test)]

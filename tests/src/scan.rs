@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use closedform_maxima::ast::BinaryOperator;
-use closedform_maxima::{Expr, ExprKind, parse_expression};
+use closedform_maxima::{Expr, ExprKind, Relation, parse_expression};
 use rug::Rational;
 use toml::{Table, Value};
 
@@ -70,7 +70,9 @@ pub fn parse(text: &str) -> Result<Vec<Row>, String> {
 /// The element of nested lists at a path: the left side of an equation, and the right side or the whole.
 pub fn part<'a>(form: &'a Expr, path: &[usize]) -> Option<(Option<&'a Expr>, &'a Expr)> {
     match (&form.kind, path) {
-        (ExprKind::Binary { operator: BinaryOperator::Equal, left, right }, []) => Some((Some(left), right)),
+        (ExprKind::Binary { operator: BinaryOperator::Compare(Relation::Equal), left, right }, []) => {
+            Some((Some(left), right))
+        }
         (ExprKind::List(_), []) => None,
         (_, []) => Some((None, form)),
         (ExprKind::List(elements), [first, rest @ ..]) => part(elements.get(first.checked_sub(1)?)?, rest),
@@ -169,7 +171,7 @@ fn claim(kernel: &Value, truth: &Expr) -> Result<Claim, String> {
 fn example(list: &Expr) -> Result<Vec<(String, Rational)>, String> {
     let ExprKind::List(equations) = &list.kind else { return Err("an example is a list".to_owned()) };
     let number = |equation: &Expr| match &equation.kind {
-        ExprKind::Binary { operator: BinaryOperator::Equal, left, right } => {
+        ExprKind::Binary { operator: BinaryOperator::Compare(Relation::Equal), left, right } => {
             Some((left.as_symbol()?.to_owned(), rational::value(right, &Names::new())?))
         }
         _ => None,

@@ -3,7 +3,7 @@
 use crate::count::{Count, Effort};
 use crate::polynomial::{Atom, Polynomial};
 use crate::sign::{Facts, Sign};
-use closedform_syntax::{Comparison, Condition};
+use closedform_syntax::Condition;
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
 
@@ -52,7 +52,7 @@ pub fn alternatives<'k>(
         (Condition::And(a, b), true) | (Condition::Or(a, b), false) => both(&part(a), &part(b)),
         (Condition::And(a, b), false) | (Condition::Or(a, b), true) => either(part(a), part(b)),
         (Condition::Compare { op, .. }, _) => {
-            let sign = if holds { sign_of(*op) } else { sign_of(*op).complement() };
+            let sign = Sign::of_relation(if holds { *op } else { op.negated() });
             vec![compare(condition).map(|difference| (difference, sign)).into_iter().collect()]
         }
     }
@@ -68,15 +68,4 @@ fn both(a: &[Vec<Fact>], b: &[Vec<Fact>]) -> Vec<Vec<Fact>> {
 fn either(a: Vec<Vec<Fact>>, b: Vec<Vec<Fact>>) -> Vec<Vec<Fact>> {
     let all = [a, b].concat();
     if all.len() > CASES { vec![Vec::new()] } else { all }
-}
-
-fn sign_of(op: Comparison) -> Sign {
-    match op {
-        Comparison::Less => Sign::NEGATIVE,
-        Comparison::LessEqual => Sign::NONPOSITIVE,
-        Comparison::Greater => Sign::POSITIVE,
-        Comparison::GreaterEqual => Sign::NONNEGATIVE,
-        Comparison::Equal => Sign::ZERO,
-        Comparison::NotEqual => Sign::NONZERO,
-    }
 }

@@ -57,6 +57,14 @@ fn divisors_that_are_never_zero_are_proved() {
     assert_eq!(bound("require!(b - c != 0.0); a / (b - c)"), Ok(2.0));
     assert_eq!(bound("require!(b > c); a / (b - c)"), Ok(2.0));
     assert!(bound("a / (b * b + 1.0)").is_ok());
+    let within = "require!(b >= -30.0); require!(b <= 50.0); require!(c > -100.0); require!(c < 100.0);";
+    assert!(bound(&format!("{within} a / compensated!(331.4 + 0.6 * b + c)")).is_ok(), "a box");
+    assert!(bound(&format!("{within} a / compensated!(118.0 + 0.6 * b + c)")).is_ok(), "zero in its corner, left out");
+    refused(
+        &format!("{within} a / compensated!(117.0 + 0.6 * b + c)"),
+        "say `require!(compensated!(117.0 + 0.6 * b + c) != 0.0)`",
+        "117.0 + 0.6 * b + c",
+    );
     assert!(bound("require!(b >= 0.0); require!(c > 0.0); a / (sqrt(b) + c)").is_ok());
 }
 

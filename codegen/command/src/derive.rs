@@ -53,14 +53,24 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     }
     let page = Page::of(&folder, &names, &options.maxima)?;
     let mut said = String::new(); // when all is written
+    let mut notes = Vec::new();
     for (name, family) in derived {
         family.write()?;
         let (expressions, values) = (family.definitions.len(), family.values.len());
         said += &format!("{name}: {expressions} reference expressions, {values} golden values\n");
+        for (kernel, conditions) in &family.added {
+            let conditions = conditions.join("`, `");
+            notes.push(format!(
+                "`{kernel}` of {name} needs `{conditions}` too, which its contract does not say: its golden values are where \
+                 that holds, and `closedform generate` adds it to the domain"
+            ));
+        }
     }
     if let Some(page) = page {
         page.write()?;
         said += &page.summary();
     }
-    Ok(output::print(&said)?)
+    output::print(&said)?;
+    notes.iter().for_each(|note| output::note(note));
+    Ok(())
 }

@@ -137,10 +137,11 @@ fn inputs(entry: &Entry) -> Vec<InputDescription> {
 
 /// The conditions that mention this input and no other; a text that is not one of a contract is not counted.
 fn conditions_on(entry: &Entry, input: usize) -> Vec<String> {
-    let variables = entry.maxima_names();
-    let texts = entry.kernel.requires.iter().map(|require| &require.text);
-    let alone = |condition: Condition| mentions_only(&condition, input, variables.len());
-    texts.filter(|text| Condition::parse(text, &variables).is_ok_and(alone)).cloned().collect()
+    let inputs = entry.kernel.inputs.len();
+    let alone = entry
+        .conditions()
+        .filter(|(_, condition)| condition.as_ref().is_ok_and(|condition| mentions_only(condition, input, inputs)));
+    alone.map(|(text, _)| text.to_owned()).collect()
 }
 
 fn mentions_only(condition: &Condition, input: usize, inputs: usize) -> bool {

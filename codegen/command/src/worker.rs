@@ -8,11 +8,11 @@ mod attempt;
 
 use crate::program::{GENERATOR, ProgramError};
 use attempt::{Ending, LIMIT, attempt};
-use closedform_project::family::{Family, FamilyError, families};
-use closedform_project::generated::Generated;
+use closedform_project::family::{Family, FamilyError, Sheet, WorksheetError, families};
+use closedform_project::generated::{Generated, would_be_fine};
 use closedform_system::output::note;
 use closedform_system::turn::{Patience, Turn, TurnError, WAIT};
-use miette::Diagnostic;
+use miette::{Diagnostic, Report};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitStatus;
@@ -47,6 +47,13 @@ pub enum WorkerError {
     /// It has said why.
     #[error("nothing was generated")]
     Failed,
+    /// Some formulas of a worksheet are wrong, which has been said; the others were tried.
+    #[error("nothing was generated: formulas of the worksheet are refused; {}", would_be_fine(*fine))]
+    #[diagnostic(help("correct the formulas that are named above, or take them out of the worksheet"))]
+    Refused {
+        /// How many kernels can be made.
+        fine: usize,
+    },
     /// Symbolica runs elsewhere.
     #[error("Symbolica is in use on this machine by a program that does not share the lock of closedform")]
     #[diagnostic(help(
@@ -106,7 +113,13 @@ const PAUSE: Duration = Duration::from_secs(1);
 /// # Errors
 /// When the source is wrong, it is not our turn in time, or that process fails; it has then said why on standard error.
 pub fn run(source: &Source) -> Result<Generated, WorkerError> {
-    source.check()?;
+    let Some(refused) = source.check()? else { return made(source) };
+    // the other formulas are tried all the same, so that one run tells everything
+    note(&format!("{:?}", Report::new(refused)));
+    Err(WorkerError::Refused { fine: made(source)?.kernels.len() })
+}
+
+fn made(source: &Source) -> Result<Generated, WorkerError> {
     let limit = attempt::limit()?;
     let generator = GENERATOR.find()?;
     let patience = Patience::from_environment()?;
@@ -138,11 +151,14 @@ impl Source {
         }
     }
 
-    /// What is wrong is better said before waiting for others than after.
-    fn check(&self) -> Result<(), FamilyError> {
+    /// What is wrong is better said before waiting for others than after: what of a worksheet is, if something else is right.
+    fn check(&self) -> Result<Option<WorksheetError>, FamilyError> {
         match self {
-            Self::Worksheet(worksheet) => Family::from_worksheet(worksheet).map(drop),
-            Self::Folder(folder) | Self::Rederived { folder, .. } => families(folder).map(drop),
+            Self::Worksheet(worksheet) => match Family::sheet(worksheet)? {
+                Sheet { family, error: Some(error) } if family.contract.kernels.is_empty() => Err(error.into()),
+                Sheet { error, .. } => Ok(error),
+            },
+            Self::Folder(folder) | Self::Rederived { folder, .. } => families(folder).map(|_| None),
         }
     }
 }

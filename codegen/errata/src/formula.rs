@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use closedform_maxima::ast::BinaryOperator;
-use closedform_maxima::{Expr, ExprKind, UnaryOperator, parse_expression, print};
+use closedform_maxima::{Expr, ExprKind, Relation, UnaryOperator, parse_expression, print};
 use thiserror::Error;
 
 /// A Maxima expression and its place in the TOML file.
@@ -84,7 +84,7 @@ pub fn example(text: &str) -> Result<Vec<(String, Expr)>, FormulaError> {
     let expression = expression(text)?;
     let ExprKind::List(equations) = &expression.kind else { return Err(FormulaError::Example(expression.span)) };
     let number = |equation: &Expr| match &equation.kind {
-        ExprKind::Binary { operator: BinaryOperator::Equal, left, right } if is_number(right) => {
+        ExprKind::Binary { operator: BinaryOperator::Compare(Relation::Equal), left, right } if is_number(right) => {
             Some((left.as_symbol()?.to_owned(), (**right).clone()))
         }
         _ => None,

@@ -11,7 +11,7 @@ use closedform_project::contract::KernelContract;
 use closedform_project::family::{Family, Paths};
 use closedform_project::generated::{Generated, Made};
 use closedform_project::sample::{EmptyDomain, sample};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use thiserror::Error;
 
@@ -19,20 +19,24 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum PipelineError {
     /// A kernel could not be made.
-    #[error("kernel `{kernel}`: {cause}")]
+    #[error("{place}: kernel `{kernel}`: {cause}")]
     Kernel {
         /// `family::name`
         kernel: String,
+        /// Where its formula stands.
+        place: String,
         /// Why.
         cause: KernelError,
     },
     /// A domain without points.
     #[error(
-        "kernel `{kernel}` has an empty domain: {cause}\ncorrect the conditions, or the `typical` magnitudes of its inputs"
+        "{place}: kernel `{kernel}` has an empty domain: {cause}\ncorrect the conditions, or the `typical` magnitudes of its inputs"
     )]
     Empty {
         /// `family::name`
         kernel: String,
+        /// Where its formula stands.
+        place: String,
         /// Why.
         cause: EmptyDomain,
     },
@@ -48,21 +52,25 @@ pub enum PipelineError {
     #[error("kernel `{0}` is not in the generated text")]
     Missing(String),
     /// A kernel is not proved.
-    #[error("kernel `{kernel}`: {cause}")]
+    #[error("{place}: kernel `{kernel}`: {cause}")]
     Unproved {
         /// `family::name`
         kernel: String,
+        /// Where its formula stands.
+        place: String,
         /// Why.
         cause: ProofError,
     },
     /// A bound is not what the Rust text proves.
     #[error(
-        "kernel `{kernel}`: its bound is not re-derived from the Rust text:\n{cause}\nin a generated kernel: say more of \
+        "{place}: kernel `{kernel}`: its bound is not re-derived from the Rust text:\n{cause}\nin a generated kernel: say more of \
          the signs in a contract's domain, or split the formula"
     )]
     Bound {
         /// `family::name`
         kernel: String,
+        /// Where its formula stands.
+        place: String,
         /// Why.
         cause: BoundError,
     },
@@ -73,8 +81,20 @@ impl PipelineError {
     #[must_use]
     pub fn kernel_beyond_limit(&self) -> Option<&str> {
         match self {
-            Self::Unproved { kernel, cause } if cause.is_beyond_limit() => Some(kernel),
+            Self::Unproved { kernel, cause, .. } if cause.is_beyond_limit() => Some(kernel),
             _ => None,
+        }
+    }
+
+    /// The kernel that it is about: `family::name`.
+    fn kernel(&self) -> Option<&str> {
+        match self {
+            Self::Kernel { kernel, .. }
+            | Self::Empty { kernel, .. }
+            | Self::Missing(kernel)
+            | Self::Unproved { kernel, .. }
+            | Self::Bound { kernel, .. } => Some(kernel),
+            Self::Unreadable { .. } => None,
         }
     }
 
@@ -84,7 +104,7 @@ impl PipelineError {
             Self::Unproved { kernel, .. } => {
                 Some((kernel, "its stable form is not proved to be equal to the formula".to_owned()))
             }
-            Self::Bound { kernel, cause } => {
+            Self::Bound { kernel, cause, .. } => {
                 let cause = cause.to_string();
                 let first = cause.lines().next().unwrap_or_default();
                 Some((kernel, format!("the bound of its stable form is not proved: {first}")))
@@ -97,6 +117,11 @@ impl PipelineError {
 /// What is wrong with several kernels, as one text.
 pub fn all(causes: &[PipelineError]) -> String {
     causes.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+}
+
+/// How many kernels these say something against.
+pub fn kernels_refused(causes: &[PipelineError]) -> usize {
+    causes.iter().filter_map(PipelineError::kernel).collect::<BTreeSet<_>>().len()
 }
 
 /// Generates all families; `progress` is told the name of every kernel before it is made.
@@ -160,7 +185,10 @@ fn take_as_written(
         let (Some(because), Some(contract)) = (open.get(name(kernel).as_str()), contract) else { continue };
         match as_written(family, &family.completed(contract), because.clone()) {
             Ok(made) => *kernel = made,
-            Err(cause) => unmade.push(PipelineError::Kernel { kernel: name(kernel), cause }),
+            Err(cause) => {
+                let place = family.place(&kernel.name).to_owned();
+                unmade.push(PipelineError::Kernel { kernel: name(kernel), place, cause });
+            }
         }
     }
     !open.is_empty()
@@ -188,7 +216,12 @@ fn make_kernel(
 ) -> Result<KernelText, PipelineError> {
     let kernel = &family.completed(kernel);
     let inputs = family.contract.inputs_of(kernel);
-    sample(&kernel.domain, &inputs, 1, 0).map_err(|cause| PipelineError::Empty { kernel: name.clone(), cause })?;
+    let place = || family.place(&kernel.name).to_owned();
+    sample(&kernel.domain, &inputs, 1, 0).map_err(|cause| PipelineError::Empty {
+        kernel: name.clone(),
+        place: place(),
+        cause,
+    })?;
     let references = references_of(family, kernel);
     let made = match make(algebra, &family.contract, kernel, &references) {
         Err(cause) if cause.leaves_the_formula_as_written() => as_written(family, kernel, cause.to_string()),
@@ -198,7 +231,7 @@ fn make_kernel(
             None => Ok(made),
         },
     };
-    made.map_err(|cause| PipelineError::Kernel { kernel: name, cause })
+    made.map_err(|cause| PipelineError::Kernel { kernel: name, place: place(), cause })
 }
 
 fn module_text(family: &Family, kernels: &[KernelText]) -> String {
@@ -244,8 +277,9 @@ pub fn unproved(algebra: Algebra, family: &Family, text: &str) -> Vec<PipelineEr
             Some(source) => {
                 let proof = prove(algebra, source, &family.completed(kernel), &references_of(family, kernel));
                 let bound = certified_bound_proof(source);
-                let bound = bound.map_err(|cause| PipelineError::Bound { kernel: name.clone(), cause });
-                causes.extend(proof.err().map(|cause| PipelineError::Unproved { kernel: name, cause }));
+                let place = || family.place(&kernel.name).to_owned();
+                let bound = bound.map_err(|cause| PipelineError::Bound { kernel: name.clone(), place: place(), cause });
+                causes.extend(proof.err().map(|cause| PipelineError::Unproved { kernel: name, place: place(), cause }));
                 causes.extend(bound.err());
             }
         }

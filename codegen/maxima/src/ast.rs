@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use closedform_arith::Relation;
 use num_bigint::BigInt;
 
 /// An expression and the bytes of the text it was read from.
@@ -217,18 +218,8 @@ pub enum BinaryOperator {
     Dot,
     /// `a^^b`: the noncommutative power
     DotPower,
-    /// `a=b`
-    Equal,
-    /// `a#b`
-    NotEqual,
-    /// `a<b`
-    Less,
-    /// `a<=b`
-    LessEqual,
-    /// `a>b`
-    Greater,
-    /// `a>=b`
-    GreaterEqual,
+    /// `a=b`, `a#b`, `a<b`, `a<=b`, `a>b` or `a>=b`
+    Compare(Relation),
     /// `a and b`
     And,
     /// `a or b`

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::ast::{BinaryOperator, Expr, ExprKind, Statement};
 use crate::error::{Error, Errors};
-use crate::parse::parse_statements;
+use crate::parse::parse_what_can_be;
 
 /// `f(x,y):=body`, or `define(f(x,y),body)`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -56,14 +56,22 @@ pub fn definition(statement: &Statement) -> Option<Definition> {
 ///
 /// Everything that is wrong with the text.
 pub fn worksheet(text: &str) -> Result<Worksheet, Errors> {
+    let (sheet, errors) = readable_worksheet(text);
+    if errors.is_empty() { Ok(sheet) } else { Err(Errors { errors }) }
+}
+
+/// What of `text` can be read, and everything that is wrong with the rest.
+#[must_use]
+pub fn readable_worksheet(text: &str) -> (Worksheet, Vec<Error>) {
+    let (statements, errors) = parse_what_can_be(text);
     let mut sheet = Worksheet { definitions: Vec::new(), others: Vec::new() };
-    for statement in parse_statements(text)? {
+    for statement in statements {
         match definition(&statement) {
             Some(definition) => sheet.definitions.push(definition),
             None => sheet.others.push(statement),
         }
     }
-    Ok(sheet)
+    (sheet, errors)
 }
 
 /// The definitions that `text` consists of, each function once.
@@ -79,7 +87,9 @@ pub fn definitions(text: &str) -> Result<Vec<Definition>, Errors> {
     if errors.is_empty() { Ok(definitions) } else { Err(Errors { errors }) }
 }
 
-fn defined_twice(definitions: &[Definition]) -> Vec<Error> {
+/// Every definition of a function that another one has defined before.
+#[must_use]
+pub fn defined_twice(definitions: &[Definition]) -> Vec<Error> {
     let mut first: BTreeMap<&str, &Definition> = BTreeMap::new();
     let mut errors = Vec::new();
     for definition in definitions {

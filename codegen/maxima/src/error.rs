@@ -6,6 +6,7 @@ use miette::Diagnostic;
 use thiserror::Error;
 
 use crate::parse::{HEIGHT_LIMIT, NESTING_LIMIT};
+use crate::token::WORDS;
 
 /// How many digits a number may have: more than any result keeps, few enough to be read at once.
 pub const DIGIT_LIMIT: usize = 10_000;
@@ -65,6 +66,20 @@ pub enum Error {
         expected: &'static str,
         /// Where.
         #[label("expected {expected}")]
+        span: Range<usize>,
+    },
+    /// A reserved word where a name or an expression must stand, or beside which one is missing.
+    #[error("`{word}` is a keyword of Maxima, not a name, and an expression is missing beside it")]
+    #[diagnostic(help(
+        "if it is meant as a name, choose another one, such as `{word}_1`: Maxima reserves {}. If the keyword is meant, \
+         write what belongs before and after it",
+        reserved()
+    ))]
+    Keyword {
+        /// The word.
+        word: &'static str,
+        /// Where it stands.
+        #[label("a keyword")]
         span: Range<usize>,
     },
     /// A bracket that is not closed, or closed by one of another kind.
@@ -163,6 +178,7 @@ impl Error {
             | Self::MalformedNumber { span }
             | Self::LongNumber { span }
             | Self::UnexpectedToken { span, .. }
+            | Self::Keyword { span, .. }
             | Self::MissingTerminator { span }
             | Self::OperandMode { span, .. }
             | Self::LoopWord { span, .. }
@@ -207,6 +223,10 @@ fn advice(character: char) -> &'static str {
         '\\' => "a backslash quotes the character after it, but the text ends here",
         _ => "remove it, or write `\\` before it if it is part of a name",
     }
+}
+
+fn reserved() -> String {
+    WORDS.map(|word| format!("`{word}`")).join(", ")
 }
 
 fn remedy(found: &str) -> &'static str {

@@ -1,5 +1,7 @@
 //! Binding powers and kinds of operands: Maxima's own tables (`lbp`, `rbp`, `lpos`, `rpos`, `pos`).
 
+use closedform_arith::Relation;
+
 use crate::ast::{BinaryOperator, Expr, ExprKind, LoopWord, UnaryOperator};
 
 /// How strongly an operator binds; the greater, the tighter.
@@ -106,12 +108,12 @@ impl BinaryOperator {
         Self::Power,
         Self::Dot,
         Self::DotPower,
-        Self::Equal,
-        Self::NotEqual,
-        Self::Less,
-        Self::LessEqual,
-        Self::Greater,
-        Self::GreaterEqual,
+        Self::Compare(Relation::Equal),
+        Self::Compare(Relation::NotEqual),
+        Self::Compare(Relation::Less),
+        Self::Compare(Relation::LessOrEqual),
+        Self::Compare(Relation::Greater),
+        Self::Compare(Relation::GreaterOrEqual),
         Self::And,
         Self::Or,
         Self::Assign,
@@ -146,12 +148,7 @@ impl BinaryOperator {
             Self::Power => ("^", 140, 139),
             Self::Dot => (".", 130, 129),
             Self::DotPower => ("^^", 140, 139),
-            Self::Equal => ("=", 80, 80),
-            Self::NotEqual => ("#", 80, 80),
-            Self::Less => ("<", 80, 80),
-            Self::LessEqual => ("<=", 80, 80),
-            Self::Greater => (">", 80, 80),
-            Self::GreaterEqual => (">=", 80, 80),
+            Self::Compare(relation) => (relation.maxima(), 80, 80),
             Self::And => ("and", 65, 65),
             Self::Or => ("or", 60, 60),
             Self::Assign => (":", 180, 20),
@@ -165,7 +162,7 @@ impl BinaryOperator {
     /// Whether the operator compares two quantities.
     #[must_use]
     pub fn is_comparison(self) -> bool {
-        self.left_power() == 80
+        matches!(self, Self::Compare(_))
     }
 
     /// What its operands must be.

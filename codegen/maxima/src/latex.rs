@@ -146,9 +146,7 @@ fn tighter(level: Hold) -> Hold {
 fn sign(operator: BinaryOperator) -> &'static str {
     use BinaryOperator as B;
     match operator {
-        B::NotEqual => r"\neq ",
-        B::LessEqual => r"\leq ",
-        B::GreaterEqual => r"\geq ",
+        B::Compare(relation) => relation.latex(),
         B::And => r"\land ",
         B::Or => r"\lor ",
         B::Dot => r"\cdot ",

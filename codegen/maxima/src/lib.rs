@@ -26,12 +26,13 @@ mod print;
 mod token;
 
 pub use ast::{BinaryOperator, Expr, ExprKind, Statement, Terminator, UnaryOperator};
-pub use definition::{Definition, Worksheet, definition, definitions, worksheet};
+pub use closedform_arith::Relation;
+pub use definition::{Definition, Worksheet, defined_twice, definition, definitions, readable_worksheet, worksheet};
 pub use double::{DoubleOperations, double_operations, evaluate_double};
 pub use error::{DIGIT_LIMIT, Error, Errors};
 #[cfg(feature = "mpfr")]
 pub use evaluate::{EvalError, evaluate, evaluate_stable};
 pub use latex::to_latex;
 pub use mention::{Mention, mentions};
-pub use parse::{HEIGHT_LIMIT, NESTING_LIMIT, parse_expression, parse_statements};
+pub use parse::{HEIGHT_LIMIT, NESTING_LIMIT, parse_expression, parse_statements, parse_what_can_be};
 pub use print::{print, print_statement};

@@ -42,21 +42,35 @@ pub fn parse_expression(text: &str) -> Result<Expr, Error> {
 ///
 /// Everything that is wrong with the text: after a mistake parsing goes on with the next statement.
 pub fn parse_statements(text: &str) -> Result<Vec<Statement>, Errors> {
+    let (statements, errors) = parse_what_can_be(text);
+    if errors.is_empty() { Ok(statements) } else { Err(Errors { errors }) }
+}
+
+/// The statements of a worksheet that are right, and everything that is wrong with the others, in the order of the text.
+#[must_use]
+pub fn parse_what_can_be(text: &str) -> (Vec<Statement>, Vec<Error>) {
     let (tokens, mut errors) = lex(text);
-    if !errors.is_empty() {
-        return Err(Errors { errors });
-    }
+    let mut unknown = errors.iter().map(|error| error.span().start).collect::<Vec<_>>().into_iter().peekable();
     let (mut cursor, mut statements) = (Cursor::new(&tokens), Vec::new());
     while *cursor.kind() != TokenKind::End {
-        match statement(&mut cursor, text) {
+        let read = statement(&mut cursor, text);
+        if read.is_err() {
+            cursor.skip_statement();
+        }
+        // what follows from a character or word that is no Maxima is not told besides
+        let mut is_torn = false;
+        let ends = read.is_err() && *cursor.kind() == TokenKind::End;
+        while unknown.next_if(|place| *place < cursor.end_of_previous() || ends).is_some() {
+            is_torn = true;
+        }
+        match read {
+            _ if is_torn => {}
             Ok(statement) => statements.push(statement),
-            Err(error) => {
-                errors.push(error);
-                cursor.skip_statement();
-            }
+            Err(error) => errors.push(error),
         }
     }
-    if errors.is_empty() { Ok(statements) } else { Err(Errors { errors }) }
+    errors.sort_by_key(|error| error.span().start);
+    (statements, errors)
 }
 
 fn statement(cursor: &mut Cursor, text: &str) -> Result<Statement, Error> {

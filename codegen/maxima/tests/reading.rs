@@ -144,3 +144,37 @@ fn latex_reads_like_mathematics() {
         assert_eq!(to_latex(&parse_expression(text).expect(text)), latex, "{text}");
     }
 }
+
+#[test]
+fn a_keyword_is_told_from_a_name() {
+    for (text, word) in [
+        ("f(do):=do^2", "do"),
+        ("f(x,for):=x", "for"),
+        ("f(if,x):=x", "if"),
+        ("f(then):=then^2", "then"),
+        ("x+else", "else"),
+        ("x*(and)", "and"),
+        ("2*not", "not"),
+        ("f(x,while)", "while"),
+    ] {
+        let error = parse_expression(text).expect_err(text);
+        assert!(matches!(error, Error::Keyword { word: found, .. } if found == word), "{text}: {error:?}");
+        assert_eq!(&text[error.span()], word, "{text}");
+        let drawn = format!("{:?}", miette::Report::new(error));
+        let help = drawn.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(help.contains(&format!("`{word}` is a keyword of Maxima")) && help.contains("another one"), "{help}");
+    }
+    // a name here as in Maxima
+    parse_expression("f(in):=in^2").expect("parses");
+    assert!(matches!(parse_expression("2*)"), Err(Error::UnexpectedToken { .. })));
+}
+
+#[test]
+fn what_is_wrong_does_not_hide_what_is_right() {
+    let text = "a:1$ b+;c:2$ d:2\u{b7}e$ f d$ g:3$";
+    let (statements, errors) = closedform_maxima::parse_what_can_be(text);
+    let read: Vec<&str> = statements.iter().map(|statement| &text[statement.expression.span.clone()]).collect();
+    assert_eq!(read, ["a:1", "c:2", "g:3"]);
+    let places: Vec<usize> = errors.iter().map(|error| error.span().start).collect();
+    assert_eq!(places, [7, 16, 23], "one a statement, in order: {errors:?}");
+}

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use closedform_syntax::{BinaryOp, Comparison, Condition, Expr, Kernel};
+use closedform_syntax::{BinaryOp, Condition, Expr, Kernel, Relation};
 use rug::Rational;
 
 /// More terms than a canonical form is worth.
@@ -180,15 +180,10 @@ impl Slots {
     }
 
     /// A comparison of sides, the greater one second.
-    fn compared(&self, op: Comparison, left: &Expr, right: &Expr) -> Option<String> {
+    fn compared(&self, op: Relation, left: &Expr, right: &Expr) -> Option<String> {
         let (left, right) = (self.text(left)?, self.text(right)?);
-        Some(match op {
-            Comparison::Less => format!("{left}<{right}"),
-            Comparison::LessEqual => format!("{left}<={right}"),
-            Comparison::Greater => format!("{right}<{left}"),
-            Comparison::GreaterEqual => format!("{right}<={left}"),
-            Comparison::Equal => format!("{}=={}", (&left).min(&right), (&left).max(&right)),
-            Comparison::NotEqual => format!("{}!={}", (&left).min(&right), (&left).max(&right)),
-        })
+        let turned = op.is_above() || op == op.mirrored() && left > right;
+        let (left, op, right) = if turned { (right, op.mirrored(), left) } else { (left, op, right) };
+        Some(format!("{left}{}{right}", op.rust()))
     }
 }

@@ -5,6 +5,7 @@ mod compare;
 mod decimal;
 mod driver;
 mod error;
+mod natural;
 mod reply;
 
 use std::collections::BTreeMap;
@@ -17,6 +18,7 @@ pub use ask::Options;
 pub use compare::{Compared, compare_references};
 pub use driver::VALUES;
 pub use error::{DeriveError, PointFailure};
+pub use natural::Added;
 
 use super::contract::{self, Contract, KernelContract};
 use super::family::{Paths, check_references};
@@ -26,6 +28,8 @@ use super::sample::sample;
 use super::source;
 use ask::{ask, header, reference_text};
 use driver::Task;
+use natural::Retry;
+use reply::Reply;
 
 /// How many more points are at hand than wanted, for those where a formula has no value.
 const SPARE: usize = 3;
@@ -43,6 +47,8 @@ pub struct Derived {
     pub values: Vec<GoldenValue>,
     /// The files of the family.
     pub paths: Paths,
+    /// Kernels whose formulas need more than their contracts say, and what: their golden values are where that holds too.
+    pub added: Vec<Added>,
 }
 
 /// A golden value that Maxima no longer agrees with.
@@ -72,14 +78,11 @@ pub fn derive(folder: &Path, name: &str, options: &Options) -> Result<Derived, D
     let reply = ask(&paths, &contract, &tasks, options)?;
     let reference = reference_text(name, &reply, &contract, &paths)?;
     let definitions = check_references(&paths.reference, &reference, &contract)?;
-    let mut values = Vec::new();
-    for (index, (kernel, task)) in contract.kernels.iter().zip(&tasks).enumerate() {
-        values.extend(golden_values(kernel, task, reply.values(index))?);
-    }
+    let (values, added) = values(&paths, &contract, &tasks, &reply, &definitions, options)?;
     let golden = header(name, "golden values", &reply.version, "# ", "") + golden::print(&values).as_str();
     let inputs = inputs_of(&paths)?;
     let [reference, golden] = [reference, golden].map(|text| closedform_build::stamped(&text, VERSION, inputs));
-    Ok(Derived { reference, golden, definitions, values, paths })
+    Ok(Derived { reference, golden, definitions, values, paths, added })
 }
 
 /// Derives the reference expressions alone, in contract order.
@@ -122,6 +125,48 @@ fn inputs_of(paths: &Paths) -> Result<u64, DeriveError> {
 fn disagreement(golden: &GoldenValue, now: Result<String, PointFailure>) -> Option<Disagreement> {
     let agrees = now.as_ref().is_ok_and(|now| decimal::agree(now, &golden.value));
     (!agrees).then(|| Disagreement { golden: golden.clone(), now })
+}
+
+/// The golden values of all kernels; kernels that have none at some points of their contracts' domains are asked once more,
+/// where their formulas have values, and named with what they need.
+fn values(
+    paths: &Paths,
+    contract: &Contract,
+    tasks: &[Task],
+    reply: &Reply,
+    definitions: &[Definition],
+    options: &Options,
+) -> Result<(Vec<GoldenValue>, Vec<Added>), DeriveError> {
+    let (mut values, mut retries, mut added) = (Vec::new(), Vec::new(), Vec::new());
+    for (index, (kernel, task)) in contract.kernels.iter().zip(tasks).enumerate() {
+        values.push(golden_values(kernel, task, reply.values(index)).or_else(|error| {
+            let retry = Retry::new(index, kernel, &task.points, &own(contract, kernel, definitions));
+            let again = retry
+                .filter(|_| error.may_be_natural())
+                .map(|retry| (sampled(contract, &retry.kernel, options), retry));
+            match again {
+                // where nothing meets what the formula needs too, the point says more
+                Some((Ok(task), retry)) => retries.push((retry, task)),
+                _ => return Err(error),
+            }
+            Ok(Vec::new())
+        })?);
+    }
+    if !retries.is_empty() {
+        let (retries, tasks): (Vec<Retry>, Vec<Task>) = retries.into_iter().unzip();
+        let reply = ask(paths, contract, &tasks, options)?;
+        for (at, (retry, task)) in retries.iter().zip(&tasks).enumerate() {
+            values[retry.index] = golden_values(&retry.kernel, task, reply.values(at))?;
+        }
+        added.extend(retries.into_iter().map(Retry::added));
+    }
+    Ok((values.concat(), added))
+}
+
+/// The reference expressions of a kernel, of those of its contract.
+fn own<'a>(contract: &Contract, kernel: &KernelContract, definitions: &'a [Definition]) -> Vec<&'a Definition> {
+    let all = contract.results().zip(definitions);
+    all.filter(|((owner, _), _)| owner.name == kernel.name).map(|(_, definition)| definition).collect()
 }
 
 /// The task to compute all results of a kernel at points of its domain.

@@ -1,12 +1,15 @@
 //! Domains: conditions on a kernel's inputs, decided exactly.
 
 mod condition;
+mod error;
 mod exact;
 mod magnitude;
+mod read;
 
 use rug::Rational;
 
-pub use condition::{Comparison, ComparisonOperator, Condition, ConditionError};
+pub use condition::{Comparison, Condition};
+pub use error::ConditionError;
 
 /// Where a kernel's promise holds: all conditions hold, and all inputs are finite.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,7 +86,7 @@ impl Domain {
 }
 
 /// The same point in rationals; `None` if a coordinate is not finite.
-pub(super) fn exact(point: &[f64]) -> Option<Vec<Rational>> {
+pub fn exact(point: &[f64]) -> Option<Vec<Rational>> {
     point.iter().map(|value| Rational::from_f64(*value)).collect()
 }
 
@@ -136,7 +139,6 @@ mod tests {
             "1 < 2 + x/(y-x)",
             "abs(1/x) > 1",
             "abs(y)/abs(x) # 3",
-            "1/(2-2) # 7",
         ] {
             assert!(!at_zero(pole), "{pole}");
             assert!(!at_zero(&format!("not ({pole})")), "not {pole}");
@@ -176,6 +178,14 @@ mod tests {
         assert_eq!(message("x^x > 0"), "a side of the domain condition is not a rational function");
         assert_eq!(message("x^9999 > 0"), "a side of the domain condition is not a rational function");
         assert_eq!(message("x > 1 and x"), "the domain condition is not a comparison");
+        let nothing =
+            "a side of the domain condition has no value anywhere: it divides by zero, whatever its inputs are";
+        assert_eq!(message("x > 0 or 1/(2-2) # 7"), nothing);
+        assert!(message("x > 0^0").starts_with("a side of the domain condition has no value anywhere: 0^0"));
         assert!(message("x > ").starts_with("the domain condition cannot be read"));
+        let place =
+            |text: &str| Condition::parse(text, &variables).unwrap_err().span().map(|span| text[span].to_owned());
+        assert_eq!(place("x > 0 or 1/(2-2) # 7").as_deref(), Some("(2-2)"));
+        assert_eq!(place("not abs(x-sqrt(x)) > 1").as_deref(), Some("sqrt(x)"));
     }
 }

@@ -11,7 +11,7 @@ use miette::Diagnostic;
 use thiserror::Error;
 
 pub use reference::{ReferenceError, ReferenceMistake};
-pub use stranger::{WorksheetError, WorksheetMistake};
+pub use stranger::{Sheet, WorksheetError, WorksheetMistake};
 
 use super::contract::{self, Contract, ContractError, KernelContract, ResultContract};
 use super::source::{self, ReadError};
@@ -25,6 +25,8 @@ pub struct Family {
     pub contract: Contract,
     /// One definition a result, in contract order.
     pub references: Vec<Definition>,
+    /// Where each of them stands: `path:line:column`.
+    pub places: Vec<String>,
     /// Its files.
     pub paths: Paths,
 }
@@ -95,26 +97,44 @@ impl Family {
         let remedy = format!("say `closedform derive {name}`, which runs the worksheet and writes this file");
         let text = source::read(&paths.reference, remedy)?;
         let references = reference::check(&paths.reference, &text, &contract)?;
-        Ok(Self { name: name.to_owned(), contract, references, paths })
+        let places = source::places(&paths.reference, &text, references.iter().map(|reference| reference.span.start));
+        Ok(Self { name: name.to_owned(), contract, references, places, paths })
     }
 
     /// Reads a worksheet that may stand alone: without a contract beside it every definition becomes a kernel of one
     /// result, without conditions on its inputs.
     pub fn from_worksheet(path: &Path) -> Result<Self, FamilyError> {
+        Self::sheet(path)?.whole()
+    }
+
+    /// As [`from_worksheet`](Self::from_worksheet), of the formulas with which nothing is wrong, and what is wrong with the
+    /// others.
+    pub fn sheet(path: &Path) -> Result<Sheet, FamilyError> {
         stranger::load(path)
+    }
+
+    /// Where the first formula of a kernel stands: `path:line:column`.
+    pub fn place(&self, kernel: &str) -> &str {
+        let mut owners = self.contract.results().map(|(owner, _)| owner.name.as_str()).zip(&self.places);
+        owners.find(|(owner, _)| *owner == kernel).map_or("", |(_, place)| place)
     }
 
     /// A kernel's contract whose domain has every condition that its reference expressions need besides.
     pub fn completed(&self, kernel: &KernelContract) -> KernelContract {
         let own = self.results().filter(|(owner, ..)| owner.name == kernel.name);
-        let natural = own.flat_map(|(.., reference)| natural_domain::natural_domain(&reference.body, &kernel.inputs));
-        KernelContract { domain: kernel.domain.clone().with_natural(natural), ..kernel.clone() }
+        completed(kernel, own.map(|(.., reference)| reference))
     }
 
     /// Every result with its kernel and reference expression, in contract order.
     pub fn results(&self) -> impl Iterator<Item = (&KernelContract, &ResultContract, &Definition)> {
         self.contract.results().zip(&self.references).map(|((kernel, result), reference)| (kernel, result, reference))
     }
+}
+
+/// A kernel's contract whose domain has every condition that these reference expressions, its own, need besides.
+pub(super) fn completed<'a>(kernel: &KernelContract, own: impl Iterator<Item = &'a Definition>) -> KernelContract {
+    let natural = own.flat_map(|reference| natural_domain::natural_domain(&reference.body, &kernel.inputs));
+    KernelContract { domain: kernel.domain.clone().with_natural(natural), ..kernel.clone() }
 }
 
 /// The families of a folder, by name: those with a contract, and worksheets of definitions alone.

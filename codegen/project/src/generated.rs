@@ -51,6 +51,16 @@ pub struct Made {
     pub added: Vec<String>,
 }
 
+/// How many formulas are left when others are refused, in words.
+#[must_use]
+pub fn would_be_fine(kernels: usize) -> String {
+    match kernels {
+        0 => "no other kernel can be made".to_owned(),
+        1 => "1 other kernel would be fine".to_owned(),
+        _ => format!("{kernels} other kernels would be fine"),
+    }
+}
+
 /// Begins a line of ours.
 const MARK: &str = "\u{1}closedform ";
 

@@ -31,7 +31,7 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, ReadError> {
 }
 
 /// How many mistakes are worth showing at once.
-pub const SHOWN: usize = 20;
+pub const SHOWN: usize = 100;
 
 /// How many mistakes there are, and whether all of them are shown.
 pub fn count(mistakes: usize) -> String {
@@ -40,6 +40,15 @@ pub fn count(mistakes: usize) -> String {
         2..=SHOWN => format!("{mistakes} mistakes"),
         _ => format!("{mistakes} mistakes, of which the first {SHOWN} are shown"),
     }
+}
+
+/// Places in a text, as `path:line:column`.
+pub fn places(path: &Path, text: &str, starts: impl Iterator<Item = usize>) -> Vec<String> {
+    let place = |start: usize| {
+        let (before, line) = (&text[..start], line_start(text, start));
+        format!("{}:{}:{}", path.display(), before.matches('\n').count() + 1, text[line..start].chars().count() + 1)
+    };
+    starts.map(place).collect()
 }
 
 /// A text under its path, for errors that draw carets.
@@ -109,6 +118,12 @@ mod tests {
 
     fn report(text: &str, span: std::ops::Range<usize>) -> String {
         drawn(&Wrong { text: named(Path::new("a.mac"), text), span: span.into() })
+    }
+
+    #[test]
+    fn places_are_lines_and_columns() {
+        let text = "f(x):=x$\n \u{e4}g(x):=x$";
+        assert_eq!(places(Path::new("a.mac"), text, [0, 12].into_iter()), ["a.mac:1:1", "a.mac:2:3"]);
     }
 
     #[test]

@@ -1,10 +1,10 @@
 //! The generator at work: it generates or proves, says how far it is, and ends with the command that asked.
 
 use crate::ALGEBRA;
-use closedform_generator::pipeline::{PipelineError, all, generate, unproved};
+use closedform_generator::pipeline::{PipelineError, all, generate, kernels_refused, unproved};
 use closedform_project::derive::{DeriveError, Options, rederive};
 use closedform_project::family::{Family, FamilyError, families};
-use closedform_project::generated::{Generated, Word};
+use closedform_project::generated::{Generated, Word, would_be_fine};
 use miette::Diagnostic;
 use rustix::process::{Signal, getpid, kill_process};
 use std::io;
@@ -52,8 +52,13 @@ pub enum WorkError {
     ))]
     Changed(Vec<PipelineError>),
     /// Kernels cannot be made.
-    #[error("{}", all(.0))]
-    Pipeline(Vec<PipelineError>),
+    #[error("{}\n{}", all(causes), would_be_fine(*fine))]
+    Pipeline {
+        /// Why not.
+        causes: Vec<PipelineError>,
+        /// How many others can be made.
+        fine: usize,
+    },
 }
 
 /// Generates, and sends the result.
@@ -64,7 +69,8 @@ pub fn work(task: &Task, parent: u32) -> Result<(), WorkError> {
     thread::spawn(move || end_with(parent));
     let generated = match task {
         Task::Folder(folder) => generated(&families(folder)?)?,
-        Task::Worksheet(worksheet) => generated(&[Family::from_worksheet(worksheet)?])?,
+        // the command has said what is wrong with the formulas that are not there
+        Task::Worksheet(worksheet) => generated(&[Family::sheet(worksheet)?.family])?,
         Task::Rederived { folder, kernels } => {
             rederived(folder, kernels)?;
             Generated::default()
@@ -82,8 +88,12 @@ fn end_with(parent: u32) {
 }
 
 fn generated(families: &[Family]) -> Result<Generated, WorkError> {
-    Word::Kernels(families.iter().map(|family| family.contract.kernels.len()).sum()).send()?;
-    generate(ALGEBRA, families, making).map_err(WorkError::Pipeline)
+    let kernels = families.iter().map(|family| family.contract.kernels.len()).sum();
+    Word::Kernels(kernels).send()?;
+    generate(ALGEBRA, families, making).map_err(|causes| {
+        let fine = kernels.saturating_sub(kernels_refused(&causes));
+        WorkError::Pipeline { causes, fine }
+    })
 }
 
 /// Proves the kernels as checked in equal to what the worksheets derive now.

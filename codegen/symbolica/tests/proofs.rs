@@ -7,7 +7,7 @@ use closedform_maxima::Definition;
 use closedform_project::contract::KernelContract;
 use closedform_project::family::{Family, families};
 use closedform_symbolica::ALGEBRA;
-use closedform_syntax::{BinaryOp, Comparison, Condition, Expr, Kernel, Output, parse_file, violated};
+use closedform_syntax::{BinaryOp, Condition, Expr, Kernel, Output, Relation, parse_file, violated};
 use closedform_system::turn::{Patience, Turn};
 use std::path::{Path, PathBuf};
 
@@ -193,7 +193,7 @@ fn shipped() -> Vec<(Family, KernelContract, Kernel)> {
 }
 
 /// Every comparison of a condition, to be changed.
-fn comparisons(condition: &mut Condition) -> Vec<(&mut Comparison, &mut Expr, &mut Expr)> {
+fn comparisons(condition: &mut Condition) -> Vec<(&mut Relation, &mut Expr, &mut Expr)> {
     match condition {
         Condition::Compare { op, left, right } => vec![(op, left, right)],
         Condition::And(left, right) | Condition::Or(left, right) => {
@@ -206,29 +206,16 @@ fn comparisons(condition: &mut Condition) -> Vec<(&mut Comparison, &mut Expr, &m
 }
 
 /// One mistake in a comparison; nothing if it is none there.
-type Mistake = fn(&mut Comparison, &mut Expr, &mut Expr) -> Option<()>;
+type Mistake = fn(&mut Relation, &mut Expr, &mut Expr) -> Option<()>;
 
 const MISTAKES: [(&str, Mistake); 4] = [
     ("an order is flipped", |op, _, _| {
-        *op = match op {
-            Comparison::Less => Comparison::Greater,
-            Comparison::LessEqual => Comparison::GreaterEqual,
-            Comparison::Greater => Comparison::Less,
-            Comparison::GreaterEqual => Comparison::LessEqual,
-            Comparison::Equal => Comparison::NotEqual,
-            Comparison::NotEqual => Comparison::Equal,
-        };
+        *op = if op.mirrored() == *op { op.negated() } else { op.mirrored() };
         Some(())
     }),
     ("an edge is let in or out", |op, _, _| {
-        *op = match op {
-            Comparison::Less => Comparison::LessEqual,
-            Comparison::LessEqual => Comparison::Less,
-            Comparison::Greater => Comparison::GreaterEqual,
-            Comparison::GreaterEqual => Comparison::Greater,
-            Comparison::Equal | Comparison::NotEqual => return None,
-        };
-        Some(())
+        let moved = op.mirrored().negated();
+        (moved.mirrored() != moved).then(|| *op = moved)
     }),
     ("a coefficient is another one", |_, left, right| {
         first_number(left).or_else(|| first_number(right)).map(|number| *number += 1.0)

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::kernel::{BinaryOp, Comparison, Condition, Expr};
+use closedform_arith::Relation;
+
+use crate::kernel::{BinaryOp, Condition, Expr};
 use crate::print::expression_text;
 
 use super::bounds::{Bounds, Sign};
@@ -32,11 +34,11 @@ impl Signs {
         match condition {
             Condition::And(left, right) => [left, right].into_iter().for_each(|side| self.learn(side)),
             Condition::Compare { op, left, right } if is_exact(left) && is_exact(right) => match op {
-                Comparison::Greater => self.above(left, right, false),
-                Comparison::GreaterEqual => self.above(left, right, true),
-                Comparison::Less => self.above(right, left, false),
-                Comparison::LessEqual => self.above(right, left, true),
-                Comparison::Equal | Comparison::NotEqual => {}
+                Relation::Greater => self.above(left, right, false),
+                Relation::GreaterOrEqual => self.above(left, right, true),
+                Relation::Less => self.above(right, left, false),
+                Relation::LessOrEqual => self.above(right, left, true),
+                Relation::Equal | Relation::NotEqual => {}
             },
             Condition::Compare { .. } | Condition::Or(..) | Condition::Not(_) => {}
         }

@@ -1,6 +1,7 @@
 //! The search for a sign: certificates over the rationals, each of them exact.
 
-use super::{Facts, Sign};
+use super::range::Range;
+use super::{Facts, Sign, boxes};
 use crate::polynomial::{Atom, Polynomial};
 use num_rational::BigRational;
 use num_traits::One;
@@ -36,9 +37,12 @@ impl Search {
         Self { depth: BRIEF.0, left: Cell::new(BRIEF.1) }
     }
 
-    /// The sign of a polynomial, looked for ever deeper.
+    /// The sign of a polynomial: by the box that bounds its atoms, if there is one, then looked for ever deeper.
     pub fn sign(&self, facts: &Facts, polynomial: &Polynomial) -> Sign {
-        let mut sign = Sign::ANY;
+        let mut sign = boxes::sign(polynomial, |atom| Range::of(atom, facts.atom(atom), facts.known()));
+        if sign.is_strict() {
+            return sign;
+        }
         for depth in 0..=self.depth {
             sign = sign.and(self.infer(facts, polynomial, depth));
             if sign.is_definite() {

@@ -1,7 +1,9 @@
 //! Sets of signs.
 
+use closedform_syntax::Relation;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
+use std::cmp::Ordering;
 use std::fmt;
 
 /// The signs that a value can have.
@@ -34,6 +36,15 @@ impl Sign {
     /// The sign of a number.
     pub fn of(value: &BigRational) -> Self {
         Self { negative: value.is_negative(), zero: value.is_zero(), positive: value.is_positive() }
+    }
+
+    /// The signs of what stands so to zero.
+    pub fn of_relation(relation: Relation) -> Self {
+        Self {
+            negative: relation.holds(Ordering::Less),
+            zero: relation.holds(Ordering::Equal),
+            positive: relation.holds(Ordering::Greater),
+        }
     }
 
     /// Whether it is one of these signs.

@@ -1,156 +1,12 @@
 //! Signs: what the domain says about the sign of a polynomial.
 
+use super::interval::{Interval, sign_on};
+use super::set::Sign;
 use crate::algebra::{Polynomial, Ring, Var};
+use closedform_arith::Relation;
 use num_rational::BigRational;
-use num_traits::Signed;
 use std::cell::RefCell;
 use std::collections::HashMap;
-use std::fmt;
-use std::ops::{BitAnd, Mul, Neg};
-
-/// The set of signs that a value can have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Sign(u8);
-
-const NEGATIVE: u8 = 1;
-const ZERO: u8 = 2;
-const POSITIVE: u8 = 4;
-
-impl Sign {
-    /// Nothing is known.
-    pub const ANY: Self = Self(NEGATIVE | ZERO | POSITIVE);
-    /// Greater than zero.
-    pub const POSITIVE: Self = Self(POSITIVE);
-    /// Less than zero.
-    pub const NEGATIVE: Self = Self(NEGATIVE);
-    /// Zero.
-    pub const ZERO: Self = Self(ZERO);
-    /// At least zero.
-    pub const NONNEGATIVE: Self = Self(ZERO | POSITIVE);
-    /// At most zero.
-    pub const NONPOSITIVE: Self = Self(ZERO | NEGATIVE);
-    /// Not zero.
-    pub const NONZERO: Self = Self(NEGATIVE | POSITIVE);
-
-    /// The sign of a number.
-    #[must_use]
-    pub fn of(value: &BigRational) -> Self {
-        if value.is_positive() {
-            Self::POSITIVE
-        } else if value.is_negative() {
-            Self::NEGATIVE
-        } else {
-            Self::ZERO
-        }
-    }
-
-    /// Whether every sign in this set is in the other one.
-    #[must_use]
-    pub fn is(self, other: Self) -> bool {
-        self.0 & !other.0 == 0
-    }
-
-    /// Whether the value never changes sign: it is at least zero, or it is at most zero.
-    #[must_use]
-    pub fn is_definite(self) -> bool {
-        self.is(Self::NONNEGATIVE) || self.is(Self::NONPOSITIVE)
-    }
-
-    /// The signs that are not in this set.
-    #[must_use]
-    pub fn complement(self) -> Self {
-        Self(Self::ANY.0 & !self.0)
-    }
-
-    /// Whether no value has it.
-    #[must_use]
-    pub fn is_impossible(self) -> bool {
-        self.0 == 0
-    }
-
-    /// The sign of a sum.
-    #[must_use]
-    pub fn plus(self, other: Self) -> Self {
-        self.combine(other, |a, b| match (a, b) {
-            (ZERO, sign) | (sign, ZERO) => sign,
-            (a, b) if a == b => a,
-            _ => Self::ANY.0,
-        })
-    }
-
-    /// The sign of a value that has one of two signs.
-    #[must_use]
-    pub fn or(self, other: Self) -> Self {
-        Self(self.0 | other.0)
-    }
-
-    /// The sign of a power.
-    #[must_use]
-    pub fn power(self, exponent: u32) -> Self {
-        match exponent {
-            0 => Self::POSITIVE,
-            _ if exponent % 2 == 1 => self,
-            _ => self.square(),
-        }
-    }
-
-    fn square(self) -> Self {
-        let zero = self.0 & ZERO;
-        let rest = if self.0 & (NEGATIVE | POSITIVE) == 0 { 0 } else { POSITIVE };
-        Self(zero | rest)
-    }
-
-    fn combine(self, other: Self, rule: impl Fn(u8, u8) -> u8) -> Self {
-        let mut result = 0;
-        for a in [NEGATIVE, ZERO, POSITIVE] {
-            for b in [NEGATIVE, ZERO, POSITIVE] {
-                if self.0 & a != 0 && other.0 & b != 0 {
-                    result |= rule(a, b);
-                }
-            }
-        }
-        Self(result)
-    }
-}
-
-impl fmt::Display for Sign {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match *self {
-            Self::POSITIVE => "positive",
-            Self::NEGATIVE => "negative",
-            Self::ZERO => "zero",
-            Self::NONNEGATIVE => "nonnegative",
-            Self::NONPOSITIVE => "nonpositive",
-            Self::NONZERO => "nonzero",
-            _ => "open",
-        })
-    }
-}
-
-impl Neg for Sign {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self(self.0 & ZERO | (self.0 & NEGATIVE) << 2 | (self.0 & POSITIVE) >> 2)
-    }
-}
-
-impl Mul for Sign {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        self.combine(other, |a, b| match (a, b) {
-            (ZERO, _) | (_, ZERO) => ZERO,
-            (a, b) if a == b => POSITIVE,
-            _ => NEGATIVE,
-        })
-    }
-}
-
-impl BitAnd for Sign {
-    type Output = Self;
-    fn bitand(self, other: Self) -> Self {
-        Self(self.0 & other.0)
-    }
-}
 
 /// What is known about signs on a domain.
 #[derive(Clone)]
@@ -158,6 +14,8 @@ pub struct Facts {
     ring: Ring,
     variables: Vec<Sign>,
     known: Vec<(Polynomial, Sign)>,
+    /// What single variables are between.
+    ranges: Vec<Interval>,
     slacks: Vec<Slack>,
     spare: Var,
     cache: RefCell<HashMap<String, Sign>>,
@@ -190,6 +48,7 @@ impl Facts {
             ring: ring.clone(),
             variables: vec![Sign::ANY; ring.size()],
             known: Vec::new(),
+            ranges: vec![Interval::all(); ring.size()],
             slacks: Vec::new(),
             spare,
             cache: RefCell::default(),
@@ -227,6 +86,7 @@ impl Facts {
         if let Some(var) = single_variable(polynomial) {
             self.variables[var.0] = self.variables[var.0] & sign;
         } else {
+            self.limit(polynomial, sign);
             self.known.retain(|(known, _)| known != polynomial);
             self.known.push((polynomial.clone(), sign));
             let linear = polynomial.terms().iter().all(|t| t.exponents.iter().sum::<u16>() <= 1);
@@ -234,6 +94,18 @@ impl Facts {
                 self.push_slack(polynomial, sign);
             }
         }
+    }
+
+    /// Of a difference of one variable and a number: the variable is on one side of the number.
+    fn limit(&mut self, polynomial: &Polynomial, sign: Sign) {
+        let variables = polynomial.variables();
+        let [var] = variables.as_slice() else { return };
+        let coefficients: Option<Vec<BigRational>> =
+            polynomial.coefficients(*var).iter().map(Polynomial::as_constant).collect();
+        let Some([rest, slope]) = coefficients.as_deref() else { return };
+        let (sign, number) = (sign * Sign::of(slope), -rest / slope);
+        let said = Relation::ALL.into_iter().filter(|relation| sign.is(Sign::of_relation(*relation)));
+        self.ranges[var.0] = said.fold(self.ranges[var.0].clone(), |range, relation| range.related(relation, &number));
     }
 
     /// Slacks are kept nonnegative, so that what is written through them has no needless minus.
@@ -293,7 +165,7 @@ impl Facts {
     }
 
     fn sign_of_irreducible(&self, polynomial: &Polynomial) -> Sign {
-        let mut sign = self.sign_by_terms(polynomial, Sign::ANY);
+        let mut sign = self.sign_by_terms(polynomial, Sign::ANY) & self.sign_in_ranges(polynomial);
         for (known, known_sign) in &self.known {
             if known == polynomial {
                 sign = sign & *known_sign;
@@ -306,6 +178,19 @@ impl Facts {
             sign = sign & self.sign_by_difference(polynomial, known, *known_sign);
         }
         sign
+    }
+
+    /// The sign by the ranges of variables, where a number other than zero limits one of them.
+    fn sign_in_ranges(&self, polynomial: &Polynomial) -> Sign {
+        if !polynomial.variables().iter().any(|var| self.ranges[var.0].is_limited()) {
+            return Sign::ANY;
+        }
+        let zero = BigRational::from_integer(0.into());
+        let ranges = self.ranges.iter().zip(&self.variables).map(|(range, sign)| {
+            let said = Relation::ALL.into_iter().filter(|relation| sign.is(Sign::of_relation(*relation)));
+            said.fold(range.clone(), |range, relation| range.related(relation, &zero))
+        });
+        sign_on(&ranges.collect::<Vec<_>>(), &polynomial.terms())
     }
 
     /// Whether every term has the same sign.

@@ -4,15 +4,14 @@ use super::as_written::wide_as_written;
 use super::error::KernelError;
 use super::formula::Formula;
 use super::known::{Effort, Known};
-use super::relation::{order_of, sign_of};
 use crate::algebra::Polynomial;
 use crate::field::{Sign, TowerError};
-use crate::program::{Condition, Node, Order};
+use crate::program::{Condition, Node};
 use crate::rust::RequireText;
 use crate::stable::builder::Builder;
 use crate::stable::compared_with_zero;
+use closedform_arith::Relation;
 use closedform_project::domain::{Comparison, Condition as Contracted, Domain, Stated};
-use closedform_project::expression::lower;
 use num_rational::BigRational;
 use num_traits::Signed;
 
@@ -52,7 +51,7 @@ fn learn(builder: &mut Builder, condition: &Contracted, text: &str) -> Result<()
         Contracted::Compare(comparison) => {
             for comparison in comparison.divisors().iter().chain([comparison]) {
                 let (polynomial, order) = normal_form(builder, comparison, text)?;
-                builder.tower.facts.learn(&polynomial, sign_of(order));
+                builder.tower.facts.learn(&polynomial, Sign::of_relation(order));
             }
             Ok(())
         }
@@ -104,22 +103,21 @@ fn joined(
     let joined = parts.into_iter().reduce(|a, b| join(Box::new(a), Box::new(b)));
     joined.unwrap_or_else(|| {
         let zero = builder.graph.constant(&BigRational::from_integer(0.into()));
-        Condition::Compare(zero, Order::Equal, zero)
+        Condition::Compare(zero, Relation::Equal, zero)
     })
 }
 
 /// A comparison in double-double as the contract writes it, where it holds the square of a sum: expanded, the square would
 /// cancel again what its sum has cancelled already.
 fn as_written(builder: &mut Builder, comparison: &Comparison, text: &str) -> Result<Option<Condition>, KernelError> {
-    let left = lower(&comparison.lhs).map_err(KernelError::Lower)?;
-    let right = lower(&comparison.rhs).map_err(KernelError::Lower)?;
+    let (left, right) = (&comparison.lhs, &comparison.rhs);
     if !left.has_power_of_sum() && !right.has_power_of_sum() {
         return Ok(None);
     }
-    let order = order_of(comparison.operator);
-    let below = matches!(order, Order::Less | Order::LessOrEqual);
+    let order = comparison.relation;
+    let below = order.is_below();
     let (left, right, order) = if below { (right, left, order.mirrored()) } else { (left, right, order) };
-    let slice = wide_as_written(builder, &left.minus(right))
+    let slice = wide_as_written(builder, &left.clone().minus(right.clone()))
         .map_err(|cause| KernelError::Domain { condition: text.to_owned(), cause })?;
     let Some(slice) = slice else { return Ok(None) };
     let node = builder.graph.compensated(slice, Sign::ANY);
@@ -127,13 +125,15 @@ fn as_written(builder: &mut Builder, comparison: &Comparison, text: &str) -> Res
 }
 
 /// A comparison as a polynomial compared with zero, without the factors whose sign is known.
-fn normal_form(builder: &mut Builder, comparison: &Comparison, text: &str) -> Result<(Polynomial, Order), KernelError> {
+fn normal_form(
+    builder: &mut Builder,
+    comparison: &Comparison,
+    text: &str,
+) -> Result<(Polynomial, Relation), KernelError> {
     let failed = |cause: TowerError| KernelError::Domain { condition: text.to_owned(), cause };
-    let left = lower(&comparison.lhs).map_err(KernelError::Lower)?;
-    let right = lower(&comparison.rhs).map_err(KernelError::Lower)?;
-    let difference = builder.tower.canonical(&left.minus(right)).map_err(failed)?;
+    let difference = builder.tower.canonical(&comparison.difference()).map_err(failed)?;
     let factors = difference.numerator.times(&difference.denominator).factors();
-    let mut order = order_of(comparison.operator);
+    let mut order = comparison.relation;
     if factors.constant.is_negative() {
         order = order.mirrored();
     }
@@ -143,22 +143,27 @@ fn normal_form(builder: &mut Builder, comparison: &Comparison, text: &str) -> Re
         if sign.is(Sign::NEGATIVE) {
             order = order.mirrored();
         } else if !(sign.is(Sign::POSITIVE)
-            || matches!(order, Order::Equal | Order::NotEqual) && sign.is(Sign::NONZERO))
+            || matches!(order, Relation::Equal | Relation::NotEqual) && sign.is(Sign::NONZERO))
         {
             open = open.times(&factor.power(*exponent));
         }
     }
-    let below = matches!(order, Order::Less | Order::LessOrEqual);
+    let below = order.is_below();
     let mixed = open.terms().iter().any(|t| t.coefficient.is_positive())
         && open.terms().iter().any(|t| t.coefficient.is_negative());
     Ok(if below && mixed { (open.negated(), order.mirrored()) } else { (open, order) })
 }
 
-fn decided(builder: &mut Builder, polynomial: &Polynomial, order: Order, text: &str) -> Result<Condition, KernelError> {
+fn decided(
+    builder: &mut Builder,
+    polynomial: &Polynomial,
+    order: Relation,
+    text: &str,
+) -> Result<Condition, KernelError> {
     decide(builder, polynomial, order).map_err(|cause| KernelError::Domain { condition: text.to_owned(), cause })
 }
 
-fn decide(builder: &mut Builder, polynomial: &Polynomial, order: Order) -> Result<Condition, TowerError> {
+fn decide(builder: &mut Builder, polynomial: &Polynomial, order: Relation) -> Result<Condition, TowerError> {
     if let Some((left, right)) = two_exact_sides(builder, polynomial)? {
         return Ok(Condition::Compare(left, order, right));
     }

@@ -11,7 +11,7 @@ use crate::algebra::Algebra;
 use crate::field::{Sign, Tower};
 use closedform_project::contract::KernelContract;
 use closedform_project::expression::Expr;
-use closedform_syntax::{BinaryOp, Comparison as Operator, Condition, Expr as Source, Kernel as SourceKernel, Require};
+use closedform_syntax::{BinaryOp, Condition, Expr as Source, Kernel as SourceKernel, Require};
 use thiserror::Error;
 
 /// What of a domain is not proved.
@@ -92,8 +92,7 @@ impl<'k> Proof<'k> {
             }
             (Condition::Compare { op, left, right }, _) => {
                 let difference = self.difference([left, right]).ok_or_else(|| Gap::Different(text.to_owned()))?;
-                let sign = compared_sign(*op);
-                let sign = if holds { sign } else { sign.complement() };
+                let sign = Sign::of_relation(if holds { *op } else { op.negated() });
                 Ok(Formula::literal(&mut self.tower, &difference, sign, text)?)
             }
         }
@@ -114,15 +113,4 @@ fn is_polynomial(side: &Source) -> bool {
         Source::Binary { .. } => false,
         _ => true,
     })
-}
-
-fn compared_sign(operator: Operator) -> Sign {
-    match operator {
-        Operator::Less => Sign::NEGATIVE,
-        Operator::LessEqual => Sign::NONPOSITIVE,
-        Operator::Greater => Sign::POSITIVE,
-        Operator::GreaterEqual => Sign::NONNEGATIVE,
-        Operator::Equal => Sign::ZERO,
-        Operator::NotEqual => Sign::NONZERO,
-    }
 }

@@ -1,11 +1,10 @@
 //! Formulas about signs of polynomials: what conditions say where their sides have values.
 
 use super::error::KernelError;
-use super::relation::{order_of, sign_of};
 use crate::algebra::Polynomial;
 use crate::field::{Sign, Tower};
 use closedform_project::domain::{Comparison, Condition};
-use closedform_project::expression::{Expr, lower};
+use closedform_project::expression::Expr;
 
 /// The most clauses that a formula is split into; one of more is not shown to imply anything.
 const CLAUSES: usize = 256;
@@ -70,9 +69,7 @@ impl Formula {
     }
 
     fn compared(tower: &mut Tower, comparison: &Comparison, text: &str) -> Result<Self, KernelError> {
-        let left = lower(&comparison.lhs).map_err(KernelError::Lower)?;
-        let right = lower(&comparison.rhs).map_err(KernelError::Lower)?;
-        Self::literal(tower, &left.minus(right), sign_of(order_of(comparison.operator)), text)
+        Self::literal(tower, &comparison.difference(), Sign::of_relation(comparison.relation), text)
     }
 
     /// That an expression, where it has a value, is of a sign.

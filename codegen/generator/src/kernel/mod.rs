@@ -9,7 +9,6 @@ mod known;
 mod limit;
 mod proof;
 mod read_back;
-mod relation;
 mod written;
 
 pub use error::KernelError;

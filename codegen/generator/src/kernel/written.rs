@@ -3,14 +3,13 @@
 //! For such a kernel no stable form was found or proved: it keeps its bound at run time. Its proof is simple. Text and
 //! reference make one graph of steps, in which equal steps are one node and every change of form is an identity.
 
-use super::relation::order_of;
 use crate::field::Sign;
-use crate::program::{Condition, Graph, Node, Order};
+use crate::program::{Condition, Graph, Node};
 use closedform_maxima::Definition;
 use closedform_project::contract::KernelContract;
 use closedform_project::domain::Condition as Contracted;
 use closedform_project::expression::{Expr, LowerError, lower};
-use closedform_syntax::{BinaryOp, Comparison, Condition as SourceCondition, Expr as Source, Kernel as SourceKernel};
+use closedform_syntax::{BinaryOp, Condition as SourceCondition, Expr as Source, Kernel as SourceKernel, Relation};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use thiserror::Error;
@@ -173,9 +172,9 @@ impl<'a> Written<'a> {
     fn condition(&mut self, condition: &Contracted) -> Result<Condition, WrittenError> {
         match condition {
             Contracted::Compare(comparison) => {
-                let left = self.expression(&lower(&comparison.lhs)?)?;
-                let right = self.expression(&lower(&comparison.rhs)?)?;
-                Ok(Condition::Compare(left, order_of(comparison.operator), right))
+                let left = self.expression(&comparison.lhs)?;
+                let right = self.expression(&comparison.rhs)?;
+                Ok(Condition::Compare(left, comparison.relation, right))
             }
             Contracted::And(parts) => self.joined(parts, Condition::And),
             Contracted::Or(parts) => self.joined(parts, Condition::Or),
@@ -190,7 +189,7 @@ impl<'a> Written<'a> {
         let parts: Vec<Condition> = parts.iter().map(|part| self.condition(part)).collect::<Result<_, _>>()?;
         let joined = parts.into_iter().reduce(|a, b| join(a.into(), b.into()));
         let zero = self.graph.constant(&BigRational::zero());
-        Ok(joined.unwrap_or(Condition::Compare(zero, Order::Equal, zero)))
+        Ok(joined.unwrap_or(Condition::Compare(zero, Relation::Equal, zero)))
     }
 
     fn text_value(&mut self, expr: &Source, slots: &[Node]) -> Result<Node, WrittenError> {
@@ -243,7 +242,7 @@ impl<'a> Written<'a> {
         match condition {
             SourceCondition::Compare { op, left, right } => {
                 let (left, right) = (self.text_value(left, slots)?, self.text_value(right, slots)?);
-                Ok(Condition::Compare(left, order_in_text(*op), right))
+                Ok(Condition::Compare(left, *op, right))
             }
             SourceCondition::And(left, right) => Ok(Condition::And(part(left)?, part(right)?)),
             SourceCondition::Or(left, right) => Ok(Condition::Or(part(left)?, part(right)?)),
@@ -259,17 +258,6 @@ impl<'a> Written<'a> {
 pub fn same(source: &SourceKernel, contract: &KernelContract, references: &[Definition]) -> Result<bool, WrittenError> {
     let mut written = Written::new(&contract.inputs);
     Ok(written.reference(contract, references)? == written.text(source)?)
-}
-
-fn order_in_text(op: Comparison) -> Order {
-    match op {
-        Comparison::Less => Order::Less,
-        Comparison::LessEqual => Order::LessOrEqual,
-        Comparison::Greater => Order::Greater,
-        Comparison::GreaterEqual => Order::GreaterOrEqual,
-        Comparison::Equal => Order::Equal,
-        Comparison::NotEqual => Order::NotEqual,
-    }
 }
 
 /// The coefficients of a polynomial in its unknown, lowest power first; `None` if it is none.

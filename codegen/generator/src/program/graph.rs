@@ -1,7 +1,7 @@
 //! The graph of steps: equal steps are one node, and each knows its sign and a bound of its relative error.
 
 use crate::field::Sign;
-use closedform_arith::error_model;
+use closedform_arith::{Relation, error_model};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
@@ -11,42 +11,11 @@ use std::collections::HashMap;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Node(pub usize);
 
-/// An order relation with zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Order {
-    /// `< 0`
-    Less,
-    /// `<= 0`
-    LessOrEqual,
-    /// `> 0`
-    Greater,
-    /// `>= 0`
-    GreaterOrEqual,
-    /// `== 0`
-    Equal,
-    /// `!= 0`
-    NotEqual,
-}
-
-impl Order {
-    /// The relation of the negatives.
-    #[must_use]
-    pub fn mirrored(self) -> Self {
-        match self {
-            Self::Less => Self::Greater,
-            Self::LessOrEqual => Self::GreaterOrEqual,
-            Self::Greater => Self::Less,
-            Self::GreaterOrEqual => Self::LessOrEqual,
-            Self::Equal | Self::NotEqual => self,
-        }
-    }
-}
-
 /// A condition on nodes.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Condition {
     /// A node compared with another one.
-    Compare(Node, Order, Node),
+    Compare(Node, Relation, Node),
     /// Both hold.
     And(Box<Condition>, Box<Condition>),
     /// One holds.

@@ -6,6 +6,6 @@ mod naming;
 mod reach;
 
 pub use cost::{Cost, cost};
-pub use graph::{Condition, Graph, Node, Op, Order, Wide, beyond_literals, is_exact, is_power_of_two, leading_bits};
+pub use graph::{Condition, Graph, Node, Op, Wide, beyond_literals, is_exact, is_power_of_two, leading_bits};
 pub use naming::{Let, Program, name_steps};
 pub use reach::{reached, rules_reached};

@@ -1,6 +1,6 @@
 //! Expressions and conditions of the kernel language, as text.
 
-use crate::program::{Condition, Graph, Node, Op, Order, Program, Wide};
+use crate::program::{Condition, Graph, Node, Op, Program, Wide};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
@@ -120,7 +120,7 @@ impl<'g> Printer<'g> {
     pub fn condition(&self, condition: &Condition) -> String {
         match condition {
             Condition::Compare(a, order, b) => {
-                format!("{} {} {}", self.text(*a).flat(), symbol(*order), self.text(*b).flat())
+                format!("{} {} {}", self.text(*a).flat(), order.rust(), self.text(*b).flat())
             }
             Condition::And(a, b) => format!("{} && {}", self.inner(a), self.inner(b)),
             Condition::Or(a, b) => format!("{} || {}", self.inner(a), self.inner(b)),
@@ -194,15 +194,4 @@ fn literal(value: &BigRational) -> Text {
     let number = value.to_f64().unwrap_or(f64::NAN);
     let precedence = if number < 0.0 { UNARY } else { ATOM };
     Text { precedence, head: format!("{number:?}"), tail: Vec::new() }
-}
-
-fn symbol(order: Order) -> &'static str {
-    match order {
-        Order::Less => "<",
-        Order::LessOrEqual => "<=",
-        Order::Greater => ">",
-        Order::GreaterOrEqual => ">=",
-        Order::Equal => "==",
-        Order::NotEqual => "!=",
-    }
 }

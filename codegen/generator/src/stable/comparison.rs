@@ -1,12 +1,13 @@
 //! Comparisons of steps with zero.
 
 use crate::field::Sign;
-use crate::program::{Condition, Graph, Node, Op, Order};
+use crate::program::{Condition, Graph, Node, Op};
+use closedform_arith::Relation;
 use num_rational::BigRational;
 use num_traits::Zero;
 
 /// The condition that a step has a sign relation to zero; constant factors of the step do not matter.
-pub fn compared_with_zero(graph: &mut Graph, node: Node, order: Order) -> Condition {
+pub fn compared_with_zero(graph: &mut Graph, node: Node, order: Relation) -> Condition {
     let (inner, mirrored) = match *graph.op(node) {
         Op::Neg(a) => (a, true),
         Op::Mul(a, b) if has_one_sign(graph, a) => (b, graph.sign(a).is(Sign::NEGATIVE)),
@@ -27,11 +28,11 @@ fn has_one_sign(graph: &Graph, node: Node) -> bool {
 
 /// The sign relation that says "not of the opposite sign".
 #[must_use]
-pub fn not_opposite(sign: Sign) -> Option<Order> {
+pub fn not_opposite(sign: Sign) -> Option<Relation> {
     if sign.is(Sign::NONNEGATIVE) {
-        Some(Order::GreaterOrEqual)
+        Some(Relation::GreaterOrEqual)
     } else if sign.is(Sign::NONPOSITIVE) {
-        Some(Order::LessOrEqual)
+        Some(Relation::LessOrEqual)
     } else {
         None
     }
@@ -49,9 +50,9 @@ mod tests {
         let minus_two = graph.constant(&BigRational::from_integer((-2).into()));
         let doubled = graph.mul(minus_two, x);
         let turned = graph.mul(doubled, y);
-        let mut compared = |node| compared_with_zero(&mut graph, node, Order::Greater);
-        assert_eq!(compared(x), Condition::Compare(x, Order::Greater, zero));
-        assert_eq!(compared(doubled), Condition::Compare(x, Order::Less, zero));
-        assert_eq!(compared(turned), Condition::Compare(x, Order::Greater, zero));
+        let mut compared = |node| compared_with_zero(&mut graph, node, Relation::Greater);
+        assert_eq!(compared(x), Condition::Compare(x, Relation::Greater, zero));
+        assert_eq!(compared(doubled), Condition::Compare(x, Relation::Less, zero));
+        assert_eq!(compared(turned), Condition::Compare(x, Relation::Greater, zero));
     }
 }

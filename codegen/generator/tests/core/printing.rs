@@ -3,9 +3,9 @@
 use super::graphs::{INPUTS, graph, steps};
 use super::values::cases;
 use closedform_generator::field::Sign;
-use closedform_generator::program::{Condition, Graph, Node, Op, Order, Wide, name_steps};
+use closedform_generator::program::{Condition, Graph, Node, Op, Wide, name_steps};
 use closedform_generator::rust::{InputDoc, KernelText, ModuleText, RequireText, ResultText, print_module};
-use closedform_syntax::{BinaryOp, Comparison, Condition as SourceCondition, Expr, Kernel, Precision, parse_file};
+use closedform_syntax::{BinaryOp, Condition as SourceCondition, Expr, Kernel, Precision, Relation, parse_file};
 use num_rational::BigRational;
 use proptest::prelude::*;
 
@@ -100,7 +100,7 @@ impl<'k> Beside<'k> {
     fn same_condition(&self, condition: &Condition, found: &'k SourceCondition) -> bool {
         match (condition, found) {
             (Condition::Compare(a, order, b), SourceCondition::Compare { op, left, right }) => {
-                *order == order_of(*op) && self.same(*a, left) && self.same(*b, right)
+                order == op && self.same(*a, left) && self.same(*b, right)
             }
             (Condition::And(a, b), SourceCondition::And(left, right))
             | (Condition::Or(a, b), SourceCondition::Or(left, right)) => {
@@ -130,22 +130,9 @@ fn operands(op: &Op, found: BinaryOp) -> Option<[Node; 2]> {
     }
 }
 
-fn order_of(op: Comparison) -> Order {
-    match op {
-        Comparison::Less => Order::Less,
-        Comparison::LessEqual => Order::LessOrEqual,
-        Comparison::Greater => Order::Greater,
-        Comparison::GreaterEqual => Order::GreaterOrEqual,
-        Comparison::Equal => Order::Equal,
-        Comparison::NotEqual => Order::NotEqual,
-    }
-}
-
 fn conditions(nodes: &[Node], choices: &[(usize, usize)]) -> Condition {
-    let orders =
-        [Order::Less, Order::LessOrEqual, Order::Greater, Order::GreaterOrEqual, Order::Equal, Order::NotEqual];
     let compare = |&(a, b): &(usize, usize)| {
-        Condition::Compare(nodes[a % nodes.len()], orders[(a ^ b) % orders.len()], nodes[b % nodes.len()])
+        Condition::Compare(nodes[a % nodes.len()], Relation::ALL[(a ^ b) % 6], nodes[b % nodes.len()])
     };
     let joined = |one: Condition, (at, other): (usize, Condition)| match at % 3 {
         0 => Condition::And(one.into(), other.into()),

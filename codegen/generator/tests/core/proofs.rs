@@ -126,3 +126,19 @@ fn conditions_are_proved_besides_values() {
     implied.requires.push(parse_file(&weaker).unwrap().remove(0).requires.remove(0));
     assert!(proof(&family, &implied).is_ok(), "what follows may be required besides");
 }
+
+#[test]
+fn conditions_of_a_box_prove_what_a_formula_needs() {
+    let doppler = "-y*(3314/10+6/10*x)/(3314/10+6/10*x+y)^2";
+    let within = "\"x >= -30\", \"x <= 50\", \"y >= -100\", \"y <= 100\"";
+    let (family, text) = made(within, doppler);
+    let kernel = parse_file(&text).unwrap().remove(0);
+    let required: Vec<&str> = kernel.requires.iter().map(|require| require.text.as_str()).collect();
+    assert_eq!(required, ["x >= -30", "x <= 50", "y >= -100", "y <= 100"], "nothing is added\n{text}");
+    assert!(proof(&family, &kernel).is_ok() && !text.contains("certified"), "{text}");
+    // as far as zero, and a point beyond
+    let (_, text) = made(&within.replace("y >= -100", "y > -3134/10"), doppler);
+    assert!(!text.contains("# 0"), "{text}");
+    let (_, text) = made(&within.replace("y >= -100", "y >= -3134/10"), doppler);
+    assert!(text.contains("# 0"), "{text}");
+}

@@ -94,3 +94,63 @@ fn a_square_is_known_of_where_its_root_is_not() {
     assert_eq!(facts.sign(&x.minus(&y).power(2)), Sign::NONNEGATIVE);
     assert_eq!(facts.sign(&x.minus(&y)), Sign::ANY);
 }
+
+proptest! {
+    #![proptest_config(cases(60))]
+
+    /// Whatever is inferred of a box holds at its points, on its edges too.
+    #[test]
+    fn what_is_inferred_on_a_box_holds(
+        at in point(VARIABLES),
+        ends in vec((0_i64..=3, 0_i64..=3, any::<bool>()), VARIABLES),
+        asked in vec(nonzero_terms(VARIABLES, 3, 4), 3),
+        constants in vec(-40_i64..=40, 3),
+    ) {
+        let ring = ALGEBRA.ring(VARIABLES + 1);
+        let mut facts = Facts::new(&ring, Var(VARIABLES));
+        for (var, (below, above, strict)) in ends.iter().enumerate() {
+            let from = |number: BigRational| ring.variable(Var(var)).minus(&ring.constant(&number));
+            let allowed = |sign: Sign, distance: i64| if *strict && distance > 0 { sign } else { sign.or(Sign::ZERO) };
+            let [low, high] = [-*below, *above].map(|step| &at[var] + BigRational::from_integer(step.into()));
+            facts.learn(&from(low), allowed(Sign::POSITIVE, *below));
+            facts.learn(&from(high), allowed(Sign::NEGATIVE, *above));
+        }
+        for (terms, constant) in asked.iter().zip(constants) {
+            let polynomial = polynomial(&ring, terms).plus(&ring.integer(constant));
+            let (sign, found) = (Sign::of(&value(&polynomial, &at)), facts.sign(&polynomial));
+            prop_assert!(sign.is(found), "{:?} is {sign} at {at:?}, not {found}", polynomial.terms());
+        }
+    }
+}
+
+/// Facts that variables, in their order, lie between such numbers; what is strict excludes them.
+fn between(ends: &[[i64; 2]], strict: bool) -> Facts {
+    let ring = ALGEBRA.ring(VARIABLES + 1);
+    let mut facts = Facts::new(&ring, Var(VARIABLES));
+    let [above, below] = if strict { [Sign::POSITIVE, Sign::NEGATIVE] } else { [Sign::NONNEGATIVE, Sign::NONPOSITIVE] };
+    for (var, [low, high]) in ends.iter().enumerate() {
+        facts.learn(&ring.variable(Var(var)).minus(&ring.integer(*low)), above);
+        facts.learn(&ring.variable(Var(var)).minus(&ring.integer(*high)), below);
+    }
+    facts
+}
+
+#[test]
+fn a_box_decides_signs() {
+    let ring = ALGEBRA.ring(VARIABLES + 1);
+    let [u, t, z] = [0, 1, 2].map(|var| ring.variable(Var(var)));
+    let sum = |constant: i64| ring.integer(constant).plus(&t.times(&ring.integer(6))).plus(&u.times(&ring.integer(10)));
+    let (closed, open) = (between(&[[-100, 100], [-30, 50]], false), between(&[[-100, 100], [-30, 50]], true));
+    assert_eq!(closed.sign(&sum(3314)), Sign::POSITIVE);
+    assert_eq!(closed.sign(&sum(1180)), Sign::NONNEGATIVE, "zero at a corner");
+    assert_eq!(open.sign(&sum(1180)), Sign::POSITIVE, "the corner is outside");
+    assert_eq!(open.sign(&sum(1179)), Sign::ANY);
+    assert_eq!(closed.sign(&sum(-1301)), Sign::NEGATIVE);
+    assert_eq!(closed.sign(&u.plus(&z.times(&z)).plus(&ring.integer(101))), Sign::POSITIVE, "z is anywhere");
+    assert_eq!(closed.sign(&u.plus(&z).plus(&ring.integer(101))), Sign::ANY);
+    // x^3 - 3*x^2 + x + 4 is at least 1.91 on [1, 4], and its interval reaches down to -42
+    let (x, part) = (u, between(&[[1, 4]], false));
+    let cubic = x.power(3).minus(&x.power(2).times(&ring.integer(3))).plus(&x).plus(&ring.integer(4));
+    assert_eq!(part.sign(&cubic), Sign::POSITIVE, "in halves");
+    assert_eq!(part.sign(&cubic.minus(&ring.integer(2))), Sign::ANY, "-0.08 at 1.8");
+}

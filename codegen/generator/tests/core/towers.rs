@@ -144,7 +144,7 @@ fn roots_of_squares_and_products_of_roots_are_seen() {
     }
     let mut tower = tower();
     assert_ne!(form(&mut tower, "sqrt((x-y)^2)"), form(&mut tower, "x-y"), "the sign of x-y is open");
-    for none in ["1/(x-x)", "sqrt(-2)", "z", "1+max(x,y)"] {
+    for none in ["1/(x-x)", "sqrt(x-x-2)", "z", "1+max(x,y)"] {
         assert!(form(&mut tower, none).is_err(), "{none}");
     }
     assert!(tower.canonical(&Expr::Power(Box::new(Expr::symbol("x")), 65)).is_err());

@@ -1,6 +1,5 @@
 //! The names an expression sees, and its value among them.
 
-use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -158,23 +157,12 @@ impl<'a> Scope<'a> {
             ExprKind::Binary { operator: BinaryOperator::Or, left, right } => {
                 Ok(self.holds(left)? || self.holds(right)?)
             }
-            ExprKind::Binary { operator, left, right } if operator.is_comparison() => {
+            ExprKind::Binary { operator: BinaryOperator::Compare(relation), left, right } => {
                 let order = self.value(left)?.partial_cmp(&self.value(right)?).ok_or_else(no_condition)?;
-                Ok(compares(*operator, order))
+                Ok(relation.holds(order))
             }
             _ => Err(no_condition()),
         }
-    }
-}
-
-fn compares(operator: BinaryOperator, order: Ordering) -> bool {
-    match operator {
-        BinaryOperator::Equal => order.is_eq(),
-        BinaryOperator::NotEqual => order.is_ne(),
-        BinaryOperator::Less => order.is_lt(),
-        BinaryOperator::LessEqual => order.is_le(),
-        BinaryOperator::Greater => order.is_gt(),
-        _ => order.is_ge(),
     }
 }
 

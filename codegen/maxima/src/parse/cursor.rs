@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::error::Error;
-use crate::token::{HIDE, Token, TokenKind};
+use crate::token::{HIDE, Token, TokenKind, WORDS};
 
 use super::NESTING_LIMIT;
 
@@ -84,6 +84,17 @@ impl<'a> Cursor<'a> {
     /// The error that something else than the token here was expected.
     pub fn unexpected(&self, expected: &'static str) -> Error {
         Error::UnexpectedToken { found: self.kind().to_string(), expected, span: self.span() }
+    }
+
+    /// The error that no expression begins here: a keyword, here or just before, may have been meant as a name.
+    pub fn no_expression(&self) -> Error {
+        let before = self.position.checked_sub(1).map(|previous| &self.tokens[previous]);
+        let keyword = |token: &Token| match token.kind {
+            TokenKind::Mark(word) if WORDS.contains(&word) => Some(Error::Keyword { word, span: token.span.clone() }),
+            _ => None,
+        };
+        let found = keyword(self.token()).or_else(|| before.and_then(keyword));
+        found.unwrap_or_else(|| self.unexpected("an expression"))
     }
 
     /// Goes one level down.

@@ -102,7 +102,7 @@ fn begin(cursor: &mut Cursor) -> Result<Parsed> {
         TokenKind::String(text) => ExprKind::String(text),
         TokenKind::Symbol(name) => ExprKind::Symbol(name),
         TokenKind::Mark(mark) => return begin_with_mark(cursor, mark),
-        TokenKind::End => return Err(cursor.unexpected("an expression")),
+        TokenKind::End => return Err(cursor.no_expression()),
     };
     cursor.advance();
     Ok(Parsed::leaf(kind, span))
@@ -118,7 +118,7 @@ fn begin_with_mark(cursor: &mut Cursor, mark: &'static str) -> Result<Parsed> {
         _ if is_loop_word(mark) => repetition(cursor),
         _ => match UnaryOperator::prefix(mark) {
             Some(operator) => prefix(cursor, operator),
-            None => Err(cursor.unexpected("an expression")),
+            None => Err(cursor.no_expression()),
         },
     }
 }

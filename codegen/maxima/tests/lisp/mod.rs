@@ -1,7 +1,7 @@
 //! Expressions as the Lisp trees of Maxima's parser, spelled out so that precedence has no say.
 
 use closedform_maxima::ast::{Branch, LoopClause, LoopWord, Quoting};
-use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, exact};
+use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator, exact};
 
 /// A Lisp string.
 pub fn string(text: &str) -> String {
@@ -109,12 +109,12 @@ fn head(operator: BinaryOperator) -> &'static str {
         B::Power => "MEXPT",
         B::Dot => "MNCTIMES",
         B::DotPower => "MNCEXPT",
-        B::Equal => "MEQUAL",
-        B::NotEqual => "MNOTEQUAL",
-        B::Less => "MLESSP",
-        B::LessEqual => "MLEQP",
-        B::Greater => "MGREATERP",
-        B::GreaterEqual => "MGEQP",
+        B::Compare(Relation::Equal) => "MEQUAL",
+        B::Compare(Relation::NotEqual) => "MNOTEQUAL",
+        B::Compare(Relation::Less) => "MLESSP",
+        B::Compare(Relation::LessOrEqual) => "MLEQP",
+        B::Compare(Relation::Greater) => "MGREATERP",
+        B::Compare(Relation::GreaterOrEqual) => "MGEQP",
         B::And => "MAND",
         B::Or => "MOR",
         B::Assign => "MSETQ",

@@ -19,6 +19,8 @@ pub struct Entry {
     pub kernel: Kernel,
     /// The text of its function.
     pub rust: String,
+    /// What its `require!`s say, read from their texts.
+    conditions: Vec<Result<Condition, ConditionError>>,
 }
 
 /// A condition that samplers cannot decide.
@@ -42,7 +44,9 @@ impl Entry {
     pub(super) fn new(family: &str, kernel: Kernel, text: &str) -> Self {
         let name = kernel.name.to_string();
         let rust = function_text(text, &name).to_owned();
-        Self { family: family.to_owned(), name, kernel, rust }
+        let variables: Vec<String> = kernel.inputs.iter().map(maxima_name).collect();
+        let conditions = kernel.requires.iter().map(|require| Condition::parse(&require.text, &variables)).collect();
+        Self { family: family.to_owned(), name, kernel, rust, conditions }
     }
 
     /// `family::name`
@@ -79,17 +83,21 @@ impl Entry {
     ///
     /// When the text of a condition is not one of a contract, as in a kernel written by hand.
     pub fn domain(&self) -> Result<Domain, DomainError> {
-        let variables = self.maxima_names();
-        let conditions = self.kernel.requires.iter().map(|require| {
-            let condition = Condition::parse(&require.text, &variables);
-            condition.map(|condition| (require.text.clone(), condition)).map_err(|cause| DomainError {
+        let conditions = self.conditions().map(|(text, condition)| match condition {
+            Ok(condition) => Ok((text.to_owned(), condition.clone())),
+            Err(cause) => Err(DomainError {
                 kernel: self.full_name(),
                 place: cause.span().map(Into::into),
-                cause,
-                text: require.text.clone(),
-            })
+                cause: cause.clone(),
+                text: text.to_owned(),
+            }),
         });
-        Ok(Domain::new(variables.clone(), conditions.collect::<Result<_, _>>()?))
+        Ok(Domain::new(self.maxima_names(), conditions.collect::<Result<_, _>>()?))
+    }
+
+    /// The text of every condition, and what it says, if it is one of a contract.
+    pub fn conditions(&self) -> impl Iterator<Item = (&str, &Result<Condition, ConditionError>)> {
+        self.kernel.requires.iter().map(|require| require.text.as_str()).zip(&self.conditions)
     }
 
     pub(super) fn is_named(&self, name: &str) -> bool {

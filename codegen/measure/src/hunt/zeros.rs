@@ -3,29 +3,33 @@
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, evaluate_double};
 
 use super::prey::Prey;
+use closedform_project::domain::{Comparison, exact};
 
 /// Steps of the secant method; it doubles the digits about every second one.
 const STEPS: usize = 12;
 
-/// Expressions in the inputs whose zeros are dangerous: sums inside the references, and edges of the domain.
+/// What vanishes at some inputs, and is dangerous there: sums inside the references, and edges of the domain.
 pub(super) struct Zeros {
     names: Vec<String>,
-    terms: Vec<Expr>,
+    terms: Vec<Term>,
+}
+
+enum Term {
+    /// A sum of a reference.
+    Sum(Expr),
+    /// The difference of the sides of a comparison.
+    Edge(Comparison),
 }
 
 impl Zeros {
     pub(super) fn of(prey: &Prey) -> Self {
-        let mut terms = Vec::new();
-        prey.reference.bodies().for_each(|body| collect(body, &mut terms));
-        for comparison in prey.domain.comparisons() {
-            let (left, right) = (comparison.lhs.clone().into(), comparison.rhs.clone().into());
-            let edge = ExprKind::Binary { operator: BinaryOperator::Subtract, left, right };
-            terms.push(edge.into());
-        }
+        let mut sums = Vec::new();
+        prey.reference.bodies().for_each(|body| collect(body, &mut sums));
         let names = prey.domain.variables().to_vec();
         let sample = vec![1.0; names.len()];
-        terms.retain(|term| evaluate_double(term, &names, &sample).is_some());
-        Zeros { names, terms }
+        sums.retain(|term| evaluate_double(term, &names, &sample).is_some());
+        let edges = prey.domain.comparisons().into_iter().cloned().map(Term::Edge);
+        Zeros { names, terms: sums.into_iter().map(Term::Sum).chain(edges).collect() }
     }
 
     pub(super) fn len(&self) -> usize {
@@ -37,7 +41,7 @@ impl Zeros {
         let mut moved = point.to_vec();
         let mut at = |x: f64| {
             moved[input] = x;
-            evaluate_double(&self.terms[term], &self.names, &moved).filter(|value| value.is_finite())
+            self.terms[term].value(&self.names, &moved).filter(|value| value.is_finite())
         };
         let start = point[input];
         let (mut x0, mut x1) = (start, if start == 0.0 { 1.0 } else { start * 1.0625 });
@@ -52,6 +56,16 @@ impl Zeros {
         }
         let settled = y1 == 0.0 || (x1 - x0).abs() <= x1.abs() * 1e-6;
         (settled && x1 != start && x1.is_finite()).then_some(x1)
+    }
+}
+
+impl Term {
+    /// Its value at a point, as near as a double is.
+    fn value(&self, names: &[String], point: &[f64]) -> Option<f64> {
+        match self {
+            Self::Sum(sum) => evaluate_double(sum, names, point),
+            Self::Edge(edge) => Some(edge.difference_at(&exact(point)?)?.to_f64()),
+        }
     }
 }
 
@@ -76,17 +90,23 @@ fn collect(expression: &Expr, terms: &mut Vec<Expr>) {
 mod tests {
     use super::*;
     use closedform_maxima::parse_expression;
+    use closedform_project::domain::Condition;
 
     #[test]
     fn zeros_are_found_where_they_are() {
         let mut terms = Vec::new();
         collect(&parse_expression("sqrt(x^2-2*y)/(x+y)").unwrap(), &mut terms);
+        let terms = terms.into_iter().map(Term::Sum).collect();
         let zeros = Zeros { names: vec!["x".to_owned(), "y".to_owned()], terms };
         assert_eq!(zeros.len(), 2);
         let near = |found: Option<f64>, wanted: f64| found.is_some_and(|found| (found - wanted).abs() < 1e-12);
         assert!(near(zeros.solve(0, 0, &[3.0, 2.0]), 2.0));
         assert!(near(zeros.solve(0, 1, &[3.0, 2.0]), 4.5));
         assert!(near(zeros.solve(1, 1, &[3.0, 2.0]), -3.0));
-        assert_eq!(Zeros { terms: vec![parse_expression("x^2+1").unwrap()], ..zeros }.solve(0, 0, &[3.0, 2.0]), None);
+        let with = |term| Zeros { names: zeros.names.clone(), terms: vec![term] };
+        assert_eq!(with(Term::Sum(parse_expression("x^2+1").unwrap())).solve(0, 0, &[3.0, 2.0]), None);
+        let condition = Condition::parse("x*y > 6", &zeros.names).unwrap();
+        let edge = with(Term::Edge(condition.comparisons()[0].clone()));
+        assert!(near(edge.solve(0, 0, &[4.0, 2.0]), 3.0));
     }
 }

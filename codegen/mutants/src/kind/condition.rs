@@ -1,20 +1,10 @@
 //! Conditions: other comparisons, sides swapped, parts dropped, joined otherwise, negated.
 
-use closedform_syntax::{Comparison, Condition, Expr};
+use closedform_syntax::{Condition, Expr, Relation};
 use proc_macro2::Span;
 
 use super::walk::{Place, Walk};
 use crate::mistake::Wrong;
-
-/// Every comparison operator, as it is written.
-const ALL: [(Comparison, &str); 6] = [
-    (Comparison::Less, "<"),
-    (Comparison::LessEqual, "<="),
-    (Comparison::Greater, ">"),
-    (Comparison::GreaterEqual, ">="),
-    (Comparison::Equal, "=="),
-    (Comparison::NotEqual, "!="),
-];
 
 /// What may stand for what a `require!` demands; nothing demanded is among it.
 pub fn required(condition: &Condition, walk: &Walk) -> Vec<Wrong<Condition>> {
@@ -42,18 +32,14 @@ pub fn mutations(condition: &Condition, walk: &Walk) -> Vec<Wrong<Condition>> {
 /// A condition that always holds: with it the others keep their positions.
 fn always() -> Condition {
     let zero = || Expr::Literal { value: 0.0, span: Span::call_site() };
-    Condition::Compare { op: Comparison::Equal, left: zero(), right: zero() }
+    Condition::Compare { op: Relation::Equal, left: zero(), right: zero() }
 }
 
-fn text(op: Comparison) -> &'static str {
-    ALL.iter().find(|(other, _)| *other == op).map_or("", |(_, text)| text)
-}
-
-fn compared(op: Comparison, left: &Expr, right: &Expr, walk: &Walk) -> Vec<Wrong<Condition>> {
+fn compared(op: Relation, left: &Expr, right: &Expr, walk: &Walk) -> Vec<Wrong<Condition>> {
     let compare = |op, left: &Expr, right: &Expr| Condition::Compare { op, left: left.clone(), right: right.clone() };
-    let others = ALL.into_iter().filter(|(other, _)| *other != op);
+    let others = Relation::ALL.into_iter().filter(|other| *other != op);
     let mut found: Vec<Wrong<Condition>> = others
-        .map(|(other, written)| Wrong::new(format!("{} as {written}", text(op)), compare(other, left, right)))
+        .map(|other| Wrong::new(format!("{} as {}", op.rust(), other.rust()), compare(other, left, right)))
         .collect();
     found.push(Wrong::new("compared sides swapped", compare(op, right, left)));
     let lefts = walk.expression(left, Place::Side).into_iter();

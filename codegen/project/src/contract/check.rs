@@ -17,9 +17,9 @@ pub(super) fn check(raw: raw::Contract, family: Option<String>, text: &str) -> R
     checker.mistakes.extend(family.and_then(family_name));
     checker.not_empty(&raw.family.title, "the title of the family", "say in one line what the family is about");
     checker.inputs(&raw.inputs);
-    checker.kernels(&raw);
+    let domains = checker.kernels(&raw);
     checker.unused_inputs(&raw);
-    let contract = checker.contract(raw);
+    let contract = contract(raw, domains);
     if checker.mistakes.is_empty() { Ok(contract) } else { Err(checker.mistakes) }
 }
 
@@ -52,20 +52,26 @@ impl Checker<'_> {
         self.unique("the Rust name", in_file_order);
     }
 
-    fn kernels(&mut self, raw: &raw::Contract) {
+    /// Checks all kernels, and reads their domains.
+    fn kernels(&mut self, raw: &raw::Contract) -> Vec<Domain> {
         if raw.kernel.is_empty() {
             self.mistakes.push(Mistake::NoKernel);
         }
-        for kernel in &raw.kernel {
-            self.kernel(kernel.span(), kernel.get_ref(), &raw.inputs);
-        }
+        let domains =
+            raw.kernel.iter().map(|kernel| self.kernel(kernel.span(), kernel.get_ref(), &raw.inputs)).collect();
         let kernels = || raw.kernel.iter().map(Spanned::get_ref);
         self.unique("the kernel", kernels().map(|kernel| &kernel.name));
         self.unique("the struct", kernels().filter_map(|kernel| kernel.returns.as_ref()));
         self.unique("the worksheet function", kernels().flat_map(|k| &k.result).map(|result| &result.worksheet));
+        domains
     }
 
-    fn kernel(&mut self, place: Range<usize>, kernel: &raw::Kernel, inputs: &BTreeMap<Spanned<String>, raw::Input>) {
+    fn kernel(
+        &mut self,
+        place: Range<usize>,
+        kernel: &raw::Kernel,
+        inputs: &BTreeMap<Spanned<String>, raw::Input>,
+    ) -> Domain {
         self.rust_name(&kernel.name, rust_name);
         if kernel.inputs.get_ref().is_empty() {
             let remedy = "list the Maxima names of the arguments, in their order";
@@ -75,8 +81,8 @@ impl Checker<'_> {
             self.known_input(kernel, input, inputs);
         }
         self.unique("the input", kernel.inputs.get_ref());
-        self.domain(kernel);
         self.results(place, kernel);
+        self.domain(kernel)
     }
 
     fn known_input(
@@ -96,18 +102,20 @@ impl Checker<'_> {
         }
     }
 
-    fn domain(&mut self, kernel: &raw::Kernel) {
+    /// The domain, without conditions that cannot be read.
+    fn domain(&mut self, kernel: &raw::Kernel) -> Domain {
         let inputs = maxima_names(kernel);
+        let mut conditions = Vec::new();
         for text in &kernel.domain {
-            if let Err(cause) = Condition::parse(text.get_ref(), &inputs) {
-                let place = self.inside(text, cause.span());
-                self.mistakes.push(Mistake::Condition {
-                    kernel: kernel.name.get_ref().clone(),
-                    cause,
-                    span: span(place),
-                });
+            match Condition::parse(text.get_ref(), &inputs) {
+                Ok(condition) => conditions.push((text.get_ref().clone(), condition)),
+                Err(cause) => {
+                    let span = span(self.inside(text, cause.span()));
+                    self.mistakes.push(Mistake::Condition { kernel: kernel.name.get_ref().clone(), cause, span });
+                }
             }
         }
+        Domain::new(inputs, conditions)
     }
 
     /// The place in the file of a part of a string; the whole string where TOML escapes moved its letters.
@@ -204,15 +212,17 @@ impl Checker<'_> {
             }
         }
     }
+}
 
-    fn contract(&self, raw: raw::Contract) -> Contract {
-        let few_roundings = raw.family.few_roundings;
-        let kernels = raw.kernel.into_iter().map(|kernel| self::kernel(kernel.into_inner(), few_roundings));
-        Contract {
-            family: FamilyInfo { title: raw.family.title.into_inner(), source: raw.family.source },
-            inputs: raw.inputs.into_iter().map(|(name, input)| (name.into_inner(), self::input(input))).collect(),
-            kernels: kernels.collect(),
-        }
+/// What is written, with the domains of its kernels.
+fn contract(raw: raw::Contract, domains: Vec<Domain>) -> Contract {
+    let few_roundings = raw.family.few_roundings;
+    let kernels = raw.kernel.into_iter().zip(domains);
+    let kernels = kernels.map(|(raw, domain)| kernel(raw.into_inner(), domain, few_roundings));
+    Contract {
+        family: FamilyInfo { title: raw.family.title.into_inner(), source: raw.family.source },
+        inputs: raw.inputs.into_iter().map(|(name, input)| (name.into_inner(), self::input(input))).collect(),
+        kernels: kernels.collect(),
     }
 }
 
@@ -225,18 +235,13 @@ fn input(raw: raw::Input) -> Input {
     }
 }
 
-fn kernel(raw: raw::Kernel, few_roundings: bool) -> KernelContract {
-    let inputs = maxima_names(&raw);
-    let conditions = raw.domain.iter().filter_map(|text| {
-        let condition = Condition::parse(text.get_ref(), &inputs).ok()?;
-        Some((text.get_ref().clone(), condition))
-    });
+fn kernel(raw: raw::Kernel, domain: Domain, few_roundings: bool) -> KernelContract {
     KernelContract {
+        inputs: maxima_names(&raw),
         name: raw.name.into_inner(),
         doc: raw.doc,
         source: raw.source,
-        domain: Domain::new(inputs.clone(), conditions.collect()),
-        inputs,
+        domain,
         branch: raw.branch,
         few_roundings: raw.few_roundings.unwrap_or(few_roundings),
         one_division: raw.one_division,

@@ -129,6 +129,18 @@ pub enum DeriveError {
     },
 }
 
+impl DeriveError {
+    /// Whether a point has no value because the formula needs more of its inputs than the contract says.
+    pub(super) fn may_be_natural(&self) -> bool {
+        match self {
+            Self::Point { failure, .. } | Self::TooFewPoints { failure, .. } => {
+                !matches!(failure, PointFailure::Symbols(_))
+            }
+            _ => false,
+        }
+    }
+}
+
 /// Why an expression has no value at a point.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum PointFailure {

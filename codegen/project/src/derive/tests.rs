@@ -108,6 +108,26 @@ fn a_golden_value_is_what_the_formula_is_worth() {
 }
 
 #[test]
+fn what_a_formula_needs_by_itself_is_added_to_its_domain() {
+    let folder =
+        folder("q: map(rhs, solve(y*z^2 + 3*z + x = 0, z))$ define(d('x,'y), q[2])$ define(r('x,'y), sqrt(x))$");
+    let derived = derive(folder.path(), "family", &Options::default()).unwrap();
+    assert_eq!(derived.added, [("difference".to_owned(), vec!["9-4*x*y >= 0".to_owned()])]);
+    assert_eq!(derived.values.len(), 2 * Options::default().points);
+    let exactly = |value: f64| num_rational::BigRational::from_float(value).unwrap();
+    for value in &derived.values {
+        let [x, y] = [0, 1].map(|at| exactly(value.inputs[at].1));
+        let four = exactly(4.0);
+        assert!(four * &x * &y <= exactly(9.0) && y >= x && y != exactly(0.0), "{value:?}");
+    }
+    derived.write().unwrap();
+    assert_eq!(compare_golden(folder.path(), "family", &Options::default()).unwrap(), []);
+    // what no condition on the inputs mends stays an error
+    fails("d(x,y) := sqrt(-1-x^2)$ r(x,y) := x$", &["the kernel `difference` at x=", "the value is not real"]);
+    fails("d(x,y) := x+foo$ r(x,y) := x$", &["foo"]);
+}
+
+#[test]
 fn a_golden_value_that_changed_is_named() {
     let folder = folder(WORKSHEET);
     let derived = derive(folder.path(), "family", &Options::default()).unwrap();

@@ -1,7 +1,11 @@
 //! Rational functions of a kernel's inputs, evaluated without rounding.
 
-use rug::Rational;
+use num_bigint::BigInt;
+use num_rational::BigRational;
 use rug::ops::Pow;
+use rug::{Integer, Rational};
+
+use crate::expression::Expr;
 
 /// A rational function; variables are positions in the list of inputs.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,14 +18,17 @@ pub(super) enum Exact {
 }
 
 impl Exact {
-    /// The difference of two functions.
-    pub(super) fn minus(self, other: Self) -> Self {
-        Self::Sum(vec![self, other.negated()])
-    }
-
-    /// The function with the other sign.
-    pub(super) fn negated(self) -> Self {
-        Self::Product(vec![Self::Number(Rational::from(-1)), self])
+    /// An expression of these variables; `None` if it is no rational function of them.
+    pub(super) fn of(expression: &Expr, variables: &[String]) -> Option<Self> {
+        let all = |parts: &[Expr]| parts.iter().map(|part| Self::of(part, variables)).collect::<Option<_>>();
+        match expression {
+            Expr::Rational(value) => number(value),
+            Expr::Symbol(name) => variables.iter().position(|variable| variable == name).map(Self::Variable),
+            Expr::Sum(terms) => all(terms).map(Self::Sum),
+            Expr::Product(factors) => all(factors).map(Self::Product),
+            Expr::Power(base, exponent) => Some(Self::Power(Box::new(Self::of(base, variables)?), *exponent)),
+            _ => None,
+        }
     }
 
     /// The value at a point; `None` at a pole.
@@ -46,6 +53,12 @@ impl Exact {
             Self::Power(part, _) => part.uses(variable),
         }
     }
+}
+
+/// The number in the arithmetic of decisions, which is GMP's because sampling makes many of them.
+fn number(value: &BigRational) -> Option<Exact> {
+    let integer = |number: &BigInt| number.to_string().parse::<Integer>().ok();
+    Some(Exact::Number(Rational::from((integer(value.numer())?, integer(value.denom())?))))
 }
 
 fn all(parts: &[Exact], point: &[Rational]) -> Option<Vec<Rational>> {

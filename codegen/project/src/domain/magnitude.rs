@@ -1,24 +1,26 @@
 //! Comparisons with magnitudes, as comparisons without: `abs(x) < y` is `x < y and -x < y`.
 
-use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator};
+use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator};
+
+use crate::construct::{binary, compared, integer, negative};
 
 /// The most magnitudes of a comparison: each doubles what is compared.
 const MOST: usize = 8;
 
 /// A comparison of two sides without one of its magnitudes; `None` if it has none, or too many.
-pub(super) fn without_one(operator: BinaryOperator, left: &Expr, right: &Expr) -> Option<Expr> {
+pub(super) fn without_one(relation: Relation, left: &Expr, right: &Expr) -> Option<Expr> {
     let difference = binary(BinaryOperator::Subtract, left.clone(), right.clone());
     let inner = magnitude(&difference).filter(|_| magnitudes(&difference) <= MOST)?;
     let [as_it_is, negated] = [inner.clone(), negative(inner.clone())].map(|value| {
         let side = |side: &Expr| replaced(side, inner, &value);
-        binary(operator, side(left), side(right))
+        compared(relation, side(left), side(right))
     });
     let rises = direction(&difference, inner);
-    let join = match (operator, rises) {
-        (BinaryOperator::Less | BinaryOperator::LessEqual, Some(true)) => BinaryOperator::And,
-        (BinaryOperator::Less | BinaryOperator::LessEqual, Some(false)) => BinaryOperator::Or,
-        (BinaryOperator::Greater | BinaryOperator::GreaterEqual, Some(true)) => BinaryOperator::Or,
-        (BinaryOperator::Greater | BinaryOperator::GreaterEqual, Some(false)) => BinaryOperator::And,
+    let join = match rises {
+        Some(rises) if relation.is_below() || relation.is_above() => {
+            // a magnitude is the larger of the two values: below an edge are both, above it is one
+            if rises == relation.is_below() { BinaryOperator::And } else { BinaryOperator::Or }
+        }
         _ => return Some(by_sign(inner, as_it_is, negated)),
     };
     Some(binary(join, as_it_is, negated))
@@ -26,11 +28,8 @@ pub(super) fn without_one(operator: BinaryOperator, left: &Expr, right: &Expr) -
 
 /// What holds where the sign is known.
 fn by_sign(inner: &Expr, as_it_is: Expr, negated: Expr) -> Expr {
-    let case = |operator, then| {
-        let zero = ExprKind::Integer(0.into()).into();
-        binary(BinaryOperator::And, binary(operator, inner.clone(), zero), then)
-    };
-    let (above, below) = (case(BinaryOperator::GreaterEqual, as_it_is), case(BinaryOperator::Less, negated));
+    let case = |relation, then| binary(BinaryOperator::And, compared(relation, inner.clone(), integer(0)), then);
+    let (above, below) = (case(Relation::GreaterOrEqual, as_it_is), case(Relation::Less, negated));
     binary(BinaryOperator::Or, above, below)
 }
 
@@ -109,26 +108,18 @@ fn replaced(expr: &Expr, inner: &Expr, value: &Expr) -> Expr {
     Expr::new(kind, expr.span.clone())
 }
 
-fn negative(expr: Expr) -> Expr {
-    let span = expr.span.clone();
-    Expr::new(ExprKind::Unary { operator: UnaryOperator::Minus, operand: Box::new(expr) }, span)
-}
-
-fn binary(operator: BinaryOperator, left: Expr, right: Expr) -> Expr {
-    let span = left.span.clone();
-    Expr::new(ExprKind::Binary { operator, left: Box::new(left), right: Box::new(right) }, span)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use closedform_maxima::{parse_expression, print};
 
     fn split(condition: &str) -> String {
-        let ExprKind::Binary { operator, left, right } = parse_expression(condition).unwrap().kind else {
+        let ExprKind::Binary { operator: BinaryOperator::Compare(relation), left, right } =
+            parse_expression(condition).unwrap().kind
+        else {
             panic!("no comparison")
         };
-        without_one(operator, &left, &right).map_or_else(|| "none".to_owned(), |split| print(&split))
+        without_one(relation, &left, &right).map_or_else(|| "none".to_owned(), |split| print(&split))
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::Expr;
 use closedform_maxima::ast::{BinaryOperator, Expr as Ast, ExprKind, UnaryOperator};
-use closedform_maxima::exact;
+use closedform_maxima::{Relation, exact};
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 use std::ops::Range;
@@ -22,6 +22,20 @@ pub struct LowerError {
 
 /// The largest exponent that is worth multiplying out.
 const MAX_EXPONENT: i64 = 64;
+
+/// Everything in an expression that the generator cannot read, each with its place.
+#[must_use]
+pub fn lower_errors(ast: &Ast) -> Vec<LowerError> {
+    let Err(error) = lower(ast) else { return Vec::new() };
+    let parts: Vec<&Ast> = match &ast.kind {
+        ExprKind::Unary { operand, .. } => vec![operand],
+        ExprKind::Binary { left, right, .. } => vec![left, right],
+        ExprKind::Call { arguments, .. } => arguments.iter().collect(),
+        _ => Vec::new(),
+    };
+    let inside: Vec<LowerError> = parts.into_iter().flat_map(lower_errors).collect();
+    if inside.is_empty() { vec![error] } else { inside }
+}
 
 /// The exact expression that a Maxima expression means.
 ///
@@ -60,12 +74,40 @@ fn number(ast: &Ast) -> Result<Expr, LowerError> {
 fn symbol(name: &str, ast: &Ast) -> Result<Expr, LowerError> {
     match name {
         "%pi" => Ok(Expr::Pi),
-        "%e" | "%i" | "%phi" | "inf" | "minf" | "und" | "ind" => {
-            let remedy = "only %pi is known as a constant: make it an input";
-            Err(unsupported(ast, &format!("the constant `{name}`"), remedy))
-        }
-        _ => Ok(Expr::symbol(name)),
+        _ => match remedy_of_constant(name) {
+            Some(remedy) => Err(unsupported(ast, &format!("the constant `{name}`"), remedy)),
+            None => Ok(Expr::symbol(name)),
+        },
     }
+}
+
+/// What to do instead of writing a constant of Maxima that is no variable; none for any other name.
+#[must_use]
+pub fn remedy_of_constant(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "%e" => EXPONENTIAL,
+        "%i" => "kernels compute real numbers: define the real and the imaginary part as a function each",
+        "%phi" => "write (1+sqrt(5))/2",
+        "%gamma" | "%catalan" => "only %pi is known as a constant: write its digits",
+        "inf" | "minf" | "infinity" => "let the worksheet take the limit, and write what it gives",
+        "und" | "ind" => "it is no number: let the worksheet exclude it",
+        _ => return None,
+    })
+}
+
+/// What to do instead of a power of %e or a call of a function of its kind.
+const EXPONENTIAL: &str = "powers of %e, exp, log, sin and other functions of their kind are not known yet: compute the \
+                           value outside and make it an input, such as y for %e^x, or write a rational function that is \
+                           near enough";
+
+/// What to do instead of calling a function of Maxima that kernels may know one day; none for any other name.
+#[must_use]
+pub fn remedy_of_function(name: &str) -> Option<&'static str> {
+    const FUNCTIONS: [&str; 22] = [
+        "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "atan2", "sinh", "cosh",
+        "tanh", "asinh", "acosh", "atanh", "erf", "gamma", "floor", "mod",
+    ];
+    FUNCTIONS.contains(&name).then_some(EXPONENTIAL)
 }
 
 fn binary(operator: BinaryOperator, left: &Ast, right: &Ast, ast: &Ast) -> Result<Expr, LowerError> {
@@ -73,9 +115,12 @@ fn binary(operator: BinaryOperator, left: &Ast, right: &Ast, ast: &Ast) -> Resul
         BinaryOperator::Add => Ok(lower(left)?.plus(lower(right)?)),
         BinaryOperator::Subtract => Ok(lower(left)?.minus(lower(right)?)),
         BinaryOperator::Multiply => Ok(lower(left)?.times(lower(right)?)),
-        BinaryOperator::Divide => Ok(lower(left)?.over(lower(right)?)),
+        BinaryOperator::Divide => {
+            let (above, below) = (lower(left)?, lower(right)?);
+            if is_zero(&below) { Err(divides_by_zero(right)) } else { Ok(above.over(below)) }
+        }
         BinaryOperator::Power => power(left, right, ast),
-        BinaryOperator::Equal => {
+        BinaryOperator::Compare(Relation::Equal) => {
             Err(unsupported(ast, "an equation", "name the side that is meant, for example rhs(solution)"))
         }
         _ => Err(unsupported(ast, "this operator", "write a formula of + - * / ^ and sqrt")),
@@ -93,12 +138,13 @@ fn power(base: &Ast, exponent: &Ast, ast: &Ast) -> Result<Expr, LowerError> {
     let base = lower(base)?;
     let numerator = exponent_value.numer().to_i64().filter(|n| n.abs() <= MAX_EXPONENT);
     match (numerator, exponent_value.denom().to_i64()) {
-        (Some(0), _) if constant(&base).is_some_and(|base| base.is_zero()) => {
+        (Some(n), _) if n < 0 && is_zero(&base) => Err(divides_by_zero(ast)),
+        (Some(0), _) if is_zero(&base) => {
             Err(unsupported(ast, "0^0", "it has no value, in Maxima either: say which one is meant"))
         }
         (Some(n), Some(1)) => Ok(integer_power(base, n as i32)),
         (Some(n), Some(2)) => {
-            let root = Expr::Sqrt(Box::new(base.clone()));
+            let root = root(base.clone(), ast)?;
             let whole = n.div_euclid(2);
             Ok(if whole == 0 { root } else { integer_power(base, whole as i32).times(root) })
         }
@@ -110,6 +156,29 @@ fn power(base: &Ast, exponent: &Ast, ast: &Ast) -> Result<Expr, LowerError> {
                  positive_root(polynomial, x)"
             ),
         )),
+    }
+}
+
+fn is_zero(expr: &Expr) -> bool {
+    constant(expr).is_some_and(|value| value.is_zero())
+}
+
+fn divides_by_zero(divisor: &Ast) -> LowerError {
+    LowerError {
+        what: "it divides by zero, whatever its inputs are".to_owned(),
+        remedy: "correct the divisor, or leave the term out".to_owned(),
+        span: divisor.span.clone(),
+    }
+}
+
+fn root(radicand: Expr, ast: &Ast) -> Result<Expr, LowerError> {
+    match constant(&radicand) {
+        Some(value) if value.is_negative() => Err(LowerError {
+            what: "it takes the square root of a negative number, whatever its inputs are".to_owned(),
+            remedy: "correct the radicand: kernels compute real numbers".to_owned(),
+            span: ast.span.clone(),
+        }),
+        _ => Ok(Expr::Sqrt(Box::new(radicand))),
     }
 }
 
@@ -140,7 +209,7 @@ fn call(ast: &Ast) -> Result<Expr, LowerError> {
         return Err(unsupported(ast, "this call", "write a formula of + - * / ^ sqrt abs and numbers"));
     };
     match (name, arguments) {
-        ("sqrt", [operand]) => Ok(Expr::Sqrt(Box::new(lower(operand)?))),
+        ("sqrt", [operand]) => root(lower(operand)?, ast),
         ("abs", [operand]) => Ok(Expr::Abs(Box::new(lower(operand)?))),
         ("max" | "min", [_, _, ..]) => {
             let items = arguments.iter().map(lower).collect::<Result<_, _>>()?;

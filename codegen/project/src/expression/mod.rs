@@ -2,7 +2,7 @@
 
 mod lower;
 
-pub use lower::{LowerError, lower};
+pub use lower::{LowerError, lower, lower_errors, remedy_of_constant, remedy_of_function};
 
 use num_rational::BigRational;
 use num_traits::Zero;

@@ -2,62 +2,120 @@
 
 mod surds;
 
-use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, exact, print};
+use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator, exact, print};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 use super::super::domain::Condition;
-use surds::Decision;
+use crate::construct::{compared, integer, joined};
+use surds::{Clause, Decision};
 
 /// The conditions under which a formula has a real value: radicands not negative, denominators not zero.
 ///
 /// Of sums of two terms with square roots, squares decide. Any other condition whose sides are no rational functions is
 /// left out: it cannot be decided exactly.
 pub(super) fn natural_domain(body: &Expr, parameters: &[String]) -> Vec<(String, Condition)> {
-    let mut texts = Vec::new();
-    collect(body, &mut texts);
-    let conditions = texts.into_iter().filter_map(|text| {
-        let condition = Condition::parse(&text, parameters).ok()?;
+    let mut needs = Needs::default();
+    needs.collect(body);
+    let conditions = needs.0.into_iter().filter_map(|(text, clauses)| {
+        let clauses = clauses.into_iter().filter_map(|clause| joined(BinaryOperator::And, clause));
+        let condition = Condition::read(&joined(BinaryOperator::Or, clauses)?, parameters).ok()?;
         Some((text, condition))
     });
     conditions.collect()
 }
 
-fn collect(expr: &Expr, texts: &mut Vec<String>) {
-    match &expr.kind {
-        ExprKind::Unary { operand, .. } => collect(operand, texts),
-        ExprKind::Binary { operator, left, right } => {
-            collect(left, texts);
-            collect(right, texts);
-            match operator {
-                BinaryOperator::Divide => not_zero(right, texts),
-                BinaryOperator::Power => power(left, right, texts),
-                _ => {}
-            }
+/// Conditions in the order in which they were met, each as people read it and as clauses of which one must hold.
+#[derive(Default)]
+struct Needs(Vec<(String, Vec<Clause>)>);
+
+impl Needs {
+    /// That the expression compares so with zero, unless it says nothing because no input occurs in it.
+    fn condition(&mut self, expr: &Expr, relation: Relation) {
+        let clauses = match surds::decide(expr, relation) {
+            Some(Decision::Always) => return,
+            Some(Decision::Where(clauses)) => clauses,
+            None => vec![vec![compared(relation, expr.clone(), integer(0))]],
+        };
+        let text = text_of(&clauses);
+        if has_input(expr) && self.0.iter().all(|(known, _)| *known != text) {
+            self.0.push((text, clauses));
         }
-        ExprKind::Call { arguments, .. } => match expr.as_call() {
-            Some(("sqrt", [radicand])) => {
-                collect(radicand, texts);
-                if !matches!(radicand.as_call(), Some(("abs", _))) {
-                    condition(radicand, ">=", texts);
+    }
+
+    fn collect(&mut self, expr: &Expr) {
+        match &expr.kind {
+            ExprKind::Unary { operand, .. } => self.collect(operand),
+            ExprKind::Binary { operator, left, right } => {
+                self.collect(left);
+                self.collect(right);
+                match operator {
+                    BinaryOperator::Divide => self.not_zero(right),
+                    BinaryOperator::Power => self.power(left, right),
+                    _ => {}
                 }
             }
-            // the unknown of a polynomial root is no input
-            Some(("positive_root", _)) => {}
-            _ => arguments.iter().for_each(|argument| collect(argument, texts)),
-        },
-        _ => {}
+            ExprKind::Call { arguments, .. } => match expr.as_call() {
+                Some(("sqrt", [radicand])) => {
+                    self.collect(radicand);
+                    if !matches!(radicand.as_call(), Some(("abs", _))) {
+                        self.condition(radicand, Relation::GreaterOrEqual);
+                    }
+                }
+                // the unknown of a polynomial root is no input
+                Some(("positive_root", _)) => {}
+                _ => arguments.iter().for_each(|argument| self.collect(argument)),
+            },
+            _ => {}
+        }
+    }
+
+    /// `base^exponent`: a half needs a radicand, a minus a denominator.
+    fn power(&mut self, base: &Expr, exponent: &Expr) {
+        let Some(exponent) = number(exponent) else { return };
+        match (exponent.is_integer(), exponent.is_negative()) {
+            (false, true) => self.condition(base, Relation::Greater),
+            (false, false) => self.condition(base, Relation::GreaterOrEqual),
+            (true, true) => self.not_zero(base),
+            (true, false) => {}
+        }
+    }
+
+    fn not_zero(&mut self, expr: &Expr) {
+        match &expr.kind {
+            ExprKind::Unary { operator: UnaryOperator::Minus, operand } => self.not_zero(operand),
+            ExprKind::Binary { operator: BinaryOperator::Multiply, left, right } => {
+                self.not_zero(left);
+                self.not_zero(right);
+            }
+            ExprKind::Binary { operator: BinaryOperator::Divide | BinaryOperator::Power, left, .. } => {
+                self.not_zero(left)
+            }
+            ExprKind::Call { .. } => match expr.as_call() {
+                // what is never negative is positive where it is not zero
+                Some(("sqrt", [radicand])) if matches!(radicand.as_call(), Some(("sqrt" | "abs", _))) => {
+                    self.not_zero(radicand)
+                }
+                Some(("sqrt", [radicand])) => self.condition(radicand, Relation::Greater),
+                Some(("abs", [inner])) => self.not_zero(inner),
+                _ => self.condition(expr, Relation::NotEqual),
+            },
+            _ => self.condition(expr, Relation::NotEqual),
+        }
     }
 }
 
-/// `base^exponent`: a half needs a radicand, a minus a denominator.
-fn power(base: &Expr, exponent: &Expr, texts: &mut Vec<String>) {
-    let Some(exponent) = number(exponent) else { return };
-    match (exponent.is_integer(), exponent.is_negative()) {
-        (false, true) => condition(base, ">", texts),
-        (false, false) => condition(base, ">=", texts),
-        (true, true) => not_zero(base, texts),
-        (true, false) => {}
+fn text_of(clauses: &[Clause]) -> String {
+    let clause = |clause: &Clause| clause.iter().map(comparison_text).collect::<Vec<_>>().join(" and ");
+    clauses.iter().map(clause).collect::<Vec<_>>().join(" or ")
+}
+
+fn comparison_text(comparison: &Expr) -> String {
+    match &comparison.kind {
+        ExprKind::Binary { operator, left, right } => {
+            format!("{} {} {}", print(left), operator.symbol(), print(right))
+        }
+        _ => print(comparison),
     }
 }
 
@@ -80,41 +138,6 @@ fn number(expr: &Expr) -> Option<BigRational> {
     }
 }
 
-fn not_zero(expr: &Expr, texts: &mut Vec<String>) {
-    match &expr.kind {
-        ExprKind::Unary { operator: UnaryOperator::Minus, operand } => not_zero(operand, texts),
-        ExprKind::Binary { operator: BinaryOperator::Multiply, left, right } => {
-            not_zero(left, texts);
-            not_zero(right, texts);
-        }
-        ExprKind::Binary { operator: BinaryOperator::Divide | BinaryOperator::Power, left, .. } => {
-            not_zero(left, texts)
-        }
-        ExprKind::Call { .. } => match expr.as_call() {
-            // what is never negative is positive where it is not zero
-            Some(("sqrt", [radicand])) if matches!(radicand.as_call(), Some(("sqrt" | "abs", _))) => {
-                not_zero(radicand, texts)
-            }
-            Some(("sqrt", [radicand])) => condition(radicand, ">", texts),
-            Some(("abs", [inner])) => not_zero(inner, texts),
-            _ => condition(expr, "#", texts),
-        },
-        _ => condition(expr, "#", texts),
-    }
-}
-
-/// `expr operator 0`, unless it says nothing because no input occurs in it.
-fn condition(expr: &Expr, operator: &str, texts: &mut Vec<String>) {
-    let text = match surds::decide(expr, operator) {
-        Some(Decision::Always) => return,
-        Some(Decision::Where(text)) => text,
-        None => format!("{} {operator} 0", print(expr)),
-    };
-    if has_input(expr) && !texts.contains(&text) {
-        texts.push(text);
-    }
-}
-
 fn has_input(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Symbol(name) => !name.starts_with('%'),
@@ -133,7 +156,12 @@ mod tests {
     fn texts(formula: &str, parameters: &[&str]) -> Vec<String> {
         let parameters: Vec<String> = parameters.iter().map(|name| (*name).to_owned()).collect();
         let body = parse_expression(formula).unwrap();
-        natural_domain(&body, &parameters).into_iter().map(|(text, _)| text).collect()
+        let read = |(text, condition): (String, Condition)| {
+            // what people read is what is decided
+            assert_eq!(Condition::parse(&text, &parameters).as_ref(), Ok(&condition), "{text}");
+            text
+        };
+        natural_domain(&body, &parameters).into_iter().map(read).collect()
     }
 
     #[test]

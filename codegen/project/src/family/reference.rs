@@ -9,7 +9,7 @@ use thiserror::Error;
 
 use super::super::contract::Contract;
 use super::super::source::{self, Text};
-use crate::expression::lower;
+use crate::expression::{LowerError, lower_errors, remedy_of_constant, remedy_of_function};
 
 /// Why a text does not hold the reference expressions of a contract.
 #[derive(Debug, Error, Diagnostic)]
@@ -80,7 +80,8 @@ pub enum ReferenceMistake {
     /// A function that no kernel can compute.
     #[error("`{worksheet}` calls `{name}`, which kernels cannot compute")]
     #[diagnostic(help(
-        "kernels know + - * / ^, sqrt(x), abs(x), max(x, y), min(x, y) and positive_root(polynomial, x)"
+        "kernels know + - * / ^, sqrt(x), abs(x), max(x, y), min(x, y) and positive_root(polynomial, x){}",
+        remedy_of_function(name).map(|remedy| format!("; {remedy}")).unwrap_or_default()
     ))]
     UnknownFunction {
         /// The function.
@@ -119,6 +120,22 @@ pub enum ReferenceMistake {
     },
 }
 
+impl ReferenceMistake {
+    /// Where it is, if it has a place.
+    pub(super) fn span(&self) -> Option<SourceSpan> {
+        match self {
+            Self::Text(error) => Some(error.span().into()),
+            Self::Missing { .. } => None,
+            Self::Extra { span, .. }
+            | Self::Parameters { span, .. }
+            | Self::UnknownVariable { span, .. }
+            | Self::UnknownFunction { span, .. }
+            | Self::Unsupported { span, .. }
+            | Self::NotArithmetic { span, .. } => Some(*span),
+        }
+    }
+}
+
 /// The definitions of the text in contract order, or all that is wrong with them.
 pub(super) fn check(path: &Path, text: &str, contract: &Contract) -> Result<Vec<Definition>, ReferenceError> {
     let fail = |mistakes: Vec<ReferenceMistake>| ReferenceError {
@@ -137,8 +154,7 @@ pub(super) fn in_order(found: Vec<Definition>, contract: &Contract) -> Result<Ve
     for (kernel, result) in contract.results() {
         match found.iter().find(|definition| definition.name == result.worksheet) {
             Some(definition) => {
-                mistakes.extend(wrong_parameters(definition, &kernel.inputs));
-                mistakes.extend(body_mistakes(definition));
+                mistakes.extend(mistakes_of(definition, &kernel.inputs));
                 ordered.push(definition.clone());
             }
             None => {
@@ -154,8 +170,13 @@ pub(super) fn in_order(found: Vec<Definition>, contract: &Contract) -> Result<Ve
     if mistakes.is_empty() { Ok(ordered) } else { Err(mistakes) }
 }
 
+/// Everything about a definition that does not fit a kernel of these inputs.
+pub(super) fn mistakes_of(definition: &Definition, inputs: &[String]) -> Vec<ReferenceMistake> {
+    wrong_parameters(definition, inputs).into_iter().chain(body_mistakes(definition)).collect()
+}
+
 /// Without what was said before: an unknown function is told where it stands first.
-fn first_of_each(mut mistakes: Vec<ReferenceMistake>) -> Vec<ReferenceMistake> {
+pub(super) fn first_of_each(mut mistakes: Vec<ReferenceMistake>) -> Vec<ReferenceMistake> {
     let mut functions = BTreeSet::new();
     let mut variables = BTreeSet::new();
     mistakes.retain(|mistake| match mistake {
@@ -178,12 +199,10 @@ fn wrong_parameters(definition: &Definition, inputs: &[String]) -> Option<Refere
 }
 
 /// Everything in the body of a definition that a kernel cannot compute.
-pub(super) fn body_mistakes(definition: &Definition) -> Vec<ReferenceMistake> {
+fn body_mistakes(definition: &Definition) -> Vec<ReferenceMistake> {
     let mut body = Body { definition, bound: Vec::new(), mistakes: Vec::new() };
     body.expression(&definition.body);
-    if body.mistakes.is_empty() {
-        body.unsupported(&definition.body);
-    }
+    lower_errors(&definition.body).into_iter().for_each(|error| body.unsupported(error));
     body.mistakes
 }
 
@@ -207,14 +226,15 @@ impl<'a> Body<'a> {
                 self.expression(right);
             }
             ExprKind::Call { .. } => self.call(expression),
-            ExprKind::If { .. } => self.unsupported(expression),
+            ExprKind::If { .. } => {}
             _ => self.not_arithmetic(expression),
         }
     }
 
     fn variable(&mut self, name: &'a str, place: &Expr) {
         let known = name == "%pi" || self.bound.contains(&name) || self.definition.parameters.iter().any(|p| p == name);
-        if !known {
+        // the constants of Maxima that kernels do not know have a word of their own
+        if !known && remedy_of_constant(name).is_none() {
             let (worksheet, name) = (self.definition.name.clone(), name.to_owned());
             let span = place.span.clone().into();
             self.mistakes.push(ReferenceMistake::UnknownVariable { worksheet, name, span });
@@ -247,15 +267,18 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Says why the generator does not take the expression, if it does not.
-    fn unsupported(&mut self, expression: &Expr) {
-        let worksheet = self.definition.name.clone();
-        self.mistakes.extend(lower(expression).err().map(|error| ReferenceMistake::Unsupported {
-            worksheet,
-            what: error.what,
-            remedy: error.remedy,
-            span: error.span.into(),
-        }));
+    /// Says why the generator does not take a part, unless something has been said of that part.
+    fn unsupported(&mut self, error: LowerError) {
+        let span = SourceSpan::from(error.span);
+        if self.mistakes.iter().all(|mistake| mistake.span() != Some(span)) {
+            let worksheet = self.definition.name.clone();
+            self.mistakes.push(ReferenceMistake::Unsupported {
+                worksheet,
+                what: error.what,
+                remedy: error.remedy,
+                span,
+            });
+        }
     }
 
     fn not_arithmetic(&mut self, place: &Expr) {

@@ -53,7 +53,7 @@ impl<'a> Edges<'a> {
         let mut moved = exact(point)?;
         let mut difference = |value: i32| {
             moved[input] = Rational::from(value);
-            self.comparisons[edge].difference(&moved)
+            self.comparisons[edge].difference_at(&moved)
         };
         let (first, second, third) = (difference(1)?, difference(2)?, difference(4)?);
         let slope = Rational::from(&second - &first);

@@ -2,11 +2,12 @@
 
 use super::{conjugate, sum};
 use crate::field::{Sign, TowerError};
-use crate::program::{Condition, Graph, Node, Order};
+use crate::program::{Condition, Graph, Node};
 use crate::stable::builder::Builder;
 use crate::stable::comparison::{compared_with_zero, not_opposite};
 use crate::stable::rule::Rule;
 use crate::stable::surd::Surd;
+use closedform_arith::Relation;
 
 /// The rule.
 pub const RULE: Rule = Rule {
@@ -44,11 +45,11 @@ fn agreement(graph: &mut Graph, a: (Node, Sign), b: (Node, Sign)) -> Condition {
     if let Some(order) = not_opposite(a.1) {
         return compared_with_zero(graph, b.0, order);
     }
-    let mut both = |order: Order| {
+    let mut both = |order: Relation| {
         let left = compared_with_zero(graph, a.0, order);
         let right = compared_with_zero(graph, b.0, order);
         Condition::And(Box::new(left), Box::new(right))
     };
-    let (up, down) = (both(Order::GreaterOrEqual), both(Order::LessOrEqual));
+    let (up, down) = (both(Relation::GreaterOrEqual), both(Relation::LessOrEqual));
     Condition::Or(Box::new(up), Box::new(down))
 }

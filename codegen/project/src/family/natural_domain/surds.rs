@@ -3,79 +3,97 @@
 //! With terms s and t of known squares: s + t vanishes where s^2 = t^2, unless both have one sign and are not zero; and
 //! s + t >= 0 where s >= 0 and s^2 >= t^2, or t >= 0 and t^2 >= s^2.
 
-use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, parse_expression, print};
+use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator};
+
+use crate::construct::{binary, compared, integer, joined, negative, product, squared};
+
+/// Comparisons that hold together.
+pub(super) type Clause = Vec<Expr>;
 
 /// When a sum of two such terms compares so with zero.
 pub(super) enum Decision {
     /// Wherever it has a value.
     Always,
-    /// Where this Maxima condition holds.
-    Where(String),
+    /// Where one of these holds.
+    Where(Vec<Clause>),
 }
 
-/// When the expression is not zero (`#`), not negative (`>=`) or positive (`>`), if it is such a sum.
-pub(super) fn decide(expr: &Expr, operator: &str) -> Option<Decision> {
+/// When the expression is not zero, not negative or positive, if it is such a sum.
+pub(super) fn decide(expr: &Expr, relation: Relation) -> Option<Decision> {
     let [s, t] = <[Term; 2]>::try_from(terms(expr)?).ok()?;
     let both_positive = s.sign() == Some(true) && t.sign() == Some(true);
-    if both_positive && (operator == ">=" || s.is_number() || t.is_number()) {
+    if both_positive && (relation == Relation::GreaterOrEqual || s.is_number() || t.is_number()) {
         return Some(Decision::Always);
     }
-    let s2 = s.square();
-    let apart = compared(&format!("{s2}-{}", t.square()), "#");
-    let text = match operator {
-        "#" => match (s.sign(), t.sign()) {
-            (Some(a), Some(b)) if a != b => apart,
-            (Some(_), Some(_)) => format!("{apart} or {}", compared(&s2, ">")),
-            _ => {
-                format!("{apart} or {}", compared(&product([&s.coefficient(), &t.coefficient(), &s2]), ">"))
-            }
-        },
-        ">=" => larger(&s, &t, operator)?,
-        ">" => {
-            let clauses = [larger(&s, &t, operator), positive(&s, &t)];
-            clauses.into_iter().flatten().reduce(|a, b| format!("{a} or {b}"))?
-        }
-        _ => return None,
+    let clauses = match relation {
+        Relation::NotEqual => apart(&s, &t),
+        Relation::GreaterOrEqual => larger(&s, &t, relation),
+        Relation::Greater => larger(&s, &t, relation).into_iter().chain(positive(&s, &t)).collect(),
+        _ => Vec::new(),
     };
-    Some(Decision::Where(text))
+    (!clauses.is_empty()).then_some(Decision::Where(clauses))
+}
+
+/// That the squares differ, or both terms have one sign and are not zero.
+fn apart(s: &Term, t: &Term) -> Vec<Clause> {
+    let squares = with_zero(Relation::NotEqual, difference(s, t));
+    let same_sign = match (s.sign(), t.sign()) {
+        (Some(a), Some(b)) if a != b => None,
+        (Some(_), Some(_)) => Some(s.square()),
+        _ => {
+            let factors = [s.magnitude(), t.magnitude(), s.square()].into_iter().filter(|factor| !is_one(factor));
+            signed(s.negative != t.negative, factors.collect())
+        }
+    };
+    let same_sign = same_sign.map(|value| vec![with_zero(Relation::Greater, value)]);
+    [Some(vec![squares]), same_sign].into_iter().flatten().collect()
 }
 
 /// That the term which is not negative has the larger square.
-fn larger(s: &Term, t: &Term, operator: &str) -> Option<String> {
+fn larger(s: &Term, t: &Term, relation: Relation) -> Vec<Clause> {
     let clause = |one: &Term, other: &Term| {
-        let squares = compared(&format!("{}-{}", one.square(), other.square()), operator);
+        let squares = with_zero(relation, difference(one, other));
         match one.sign() {
-            Some(true) => Some(squares),
+            Some(true) => Some(vec![squares]),
             Some(false) => None,
-            None => Some(format!("{} and {squares}", compared(&one.coefficient(), ">="))),
+            None => Some(vec![with_zero(Relation::GreaterOrEqual, one.coefficient()), squares]),
         }
     };
-    [clause(s, t), clause(t, s)].into_iter().flatten().reduce(|a, b| format!("{a} or {b}"))
+    [clause(s, t), clause(t, s)].into_iter().flatten().collect()
 }
 
 /// That both terms are positive.
-fn positive(s: &Term, t: &Term) -> Option<String> {
+fn positive(s: &Term, t: &Term) -> Option<Clause> {
     let is_positive = |term: &Term| match term.sign() {
-        Some(true) => Some(compared(&term.square(), ">")),
+        Some(true) => Some(vec![with_zero(Relation::Greater, term.square())]),
         Some(false) => None,
-        None if term.radicand.is_none() => Some(compared(&term.coefficient(), ">")),
-        None => Some(format!("{} and {}", compared(&term.coefficient(), ">"), compared(&term.square(), ">"))),
+        None if term.radicand.is_none() => Some(vec![with_zero(Relation::Greater, term.coefficient())]),
+        None => {
+            Some(vec![with_zero(Relation::Greater, term.coefficient()), with_zero(Relation::Greater, term.square())])
+        }
     };
-    Some(format!("{} and {}", is_positive(s)?, is_positive(t)?))
+    Some([is_positive(s)?, is_positive(t)?].concat())
 }
 
-/// The comparison of a rational function with zero, in as few parentheses as it needs.
-fn compared(function: &str, operator: &str) -> String {
-    let text = parse_expression(function).map_or_else(|_| function.to_owned(), |function| print(&function));
-    format!("{text} {operator} 0")
+fn with_zero(relation: Relation, function: Expr) -> Expr {
+    compared(relation, function, integer(0))
 }
 
-/// The product of coefficients and squares, what is one left out.
-fn product(factors: [&str; 3]) -> String {
-    let negative = factors.iter().filter(|factor| factor.starts_with('-')).count() % 2 == 1;
-    let factors = factors.into_iter().map(|factor| factor.trim_start_matches('-')).filter(|factor| *factor != "1");
-    let product = factors.map(|factor| format!("({factor})")).collect::<Vec<_>>().join("*");
-    if negative { format!("-{product}") } else { product }
+/// The difference of the squares of two terms.
+fn difference(s: &Term, t: &Term) -> Expr {
+    binary(BinaryOperator::Subtract, s.square(), t.square())
+}
+
+/// The product of factors, the first of them with the sign.
+fn signed(is_negative: bool, mut factors: Vec<Expr>) -> Option<Expr> {
+    if is_negative && let Some(first) = factors.first_mut() {
+        *first = negative(first.clone());
+    }
+    product(factors)
+}
+
+fn is_one(expr: &Expr) -> bool {
+    *expr == integer(1)
 }
 
 /// A rational function, times the root of another one.
@@ -94,11 +112,7 @@ fn terms(expr: &Expr) -> Option<Vec<Term>> {
     match rational.len() {
         0 | 1 => terms.extend(rational),
         _ => {
-            let text = rational
-                .iter()
-                .map(|term| format!("({})", term.coefficient()))
-                .reduce(|sum, term| format!("{sum}+{term}"));
-            let sum = parse_expression(&text?).ok()?;
+            let sum = joined(BinaryOperator::Add, rational.iter().map(Term::coefficient))?;
             terms.push(Term { negative: false, factors: vec![(sum, false)], radicand: None });
         }
     }
@@ -164,7 +178,7 @@ impl Term {
                     Some(())
                 }
                 (Some(("abs", [inner])), None) if !has_root(inner) => {
-                    self.radicand = Some(parse_expression(&format!("({})^2", print(inner))).ok()?);
+                    self.radicand = Some(squared(inner.clone()));
                     if below {
                         self.factors.extend([(inner.clone(), true), (inner.clone(), true)]);
                     }
@@ -174,7 +188,7 @@ impl Term {
             },
             _ if has_root(expr) => None,
             _ => {
-                if print(expr) != "1" {
+                if !is_one(expr) {
                     self.factors.push((expr.clone(), below));
                 }
                 Some(())
@@ -188,27 +202,31 @@ impl Term {
     }
 
     /// The term without its root.
-    fn coefficient(&self) -> String {
-        let above = self.product(false).unwrap_or_else(|| "1".to_owned());
-        let below = self.product(true).map_or_else(String::new, |below| format!("/({below})"));
-        format!("{}{above}{below}", if self.negative { "-" } else { "" })
+    fn coefficient(&self) -> Expr {
+        self.quotient(self.negative)
     }
 
-    fn product(&self, below: bool) -> Option<String> {
-        let factors = self.factors.iter().filter(|(_, is_below)| *is_below == below);
-        factors
-            .map(|(factor, _)| format!("({})", print(factor)))
-            .reduce(|product, factor| format!("{product}*{factor}"))
+    /// The term without its root and its sign.
+    fn magnitude(&self) -> Expr {
+        self.quotient(false)
+    }
+
+    fn quotient(&self, is_negative: bool) -> Expr {
+        let side = |below: bool| self.factors.iter().filter(move |(_, is_below)| *is_below == below);
+        let above: Vec<Expr> = side(false).map(|(factor, _)| factor.clone()).collect();
+        let above = if above.is_empty() { vec![integer(1)] } else { above };
+        let below = product(side(true).map(|(factor, _)| factor.clone()));
+        let above = signed(is_negative, above).unwrap_or_else(|| integer(1));
+        below.map_or(above.clone(), |below| binary(BinaryOperator::Divide, above, below))
     }
 
     fn is_number(&self) -> bool {
         self.radicand.is_none() && self.sign().is_some()
     }
 
-    fn square(&self) -> String {
-        let squared = (!self.factors.is_empty()).then(|| format!("({})^2", self.coefficient().trim_start_matches('-')));
-        let radicand = self.radicand.as_ref().map(|radicand| format!("({})", print(radicand)));
-        [squared, radicand].into_iter().flatten().reduce(|a, b| format!("{a}*{b}")).unwrap_or_else(|| "1".to_owned())
+    fn square(&self) -> Expr {
+        let of_factors = (!self.factors.is_empty()).then(|| squared(self.magnitude()));
+        product(of_factors.into_iter().chain(self.radicand.clone())).unwrap_or_else(|| integer(1))
     }
 }
 

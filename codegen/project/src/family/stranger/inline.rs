@@ -4,24 +4,24 @@ use std::collections::BTreeMap;
 
 use closedform_maxima::{Definition, Expr, ExprKind};
 
-use super::WorksheetMistake;
+use super::mistake::{SIZE_LIMIT, WorksheetMistake};
 
-/// The most nodes that calls may put into the formulas of a worksheet.
-pub(super) const SIZE_LIMIT: usize = 100_000;
-
-/// The definitions with every call of one of them replaced by its body.
-pub(super) fn inline(definitions: &[Definition]) -> Result<Vec<Definition>, Vec<WorksheetMistake>> {
-    let mut inliner = Inliner { definitions, done: BTreeMap::new(), open: Vec::new(), size: 0 };
-    let closed: Result<Vec<Definition>, WorksheetMistake> = definitions
+/// The definitions with every call of one of them replaced by its body, those that this is possible for, and what is wrong
+/// with the others, each cause once.
+pub(super) fn inline(definitions: &[Definition]) -> (Vec<Definition>, Vec<WorksheetMistake>) {
+    let mut inliner = Inliner { definitions, done: BTreeMap::new(), open: Vec::new(), size: 0, mistakes: Vec::new() };
+    let closed = definitions
         .iter()
-        .map(|definition| Ok(Definition { body: inliner.body(definition)?, ..definition.clone() }))
+        .filter_map(|definition| Some(Definition { body: inliner.body(definition)?, ..definition.clone() }))
         .collect();
-    closed.map_err(|mistake| vec![mistake])
+    (closed, inliner.mistakes)
 }
 
 struct Inliner<'a> {
     definitions: &'a [Definition],
-    done: BTreeMap<&'a str, Expr>,
+    /// The bodies, and none of definitions that have no closed one.
+    done: BTreeMap<&'a str, Option<Expr>>,
+    mistakes: Vec<WorksheetMistake>,
     /// The definitions whose bodies are being made, outermost first.
     open: Vec<&'a str>,
     /// How much was put in so far.
@@ -29,40 +29,44 @@ struct Inliner<'a> {
 }
 
 impl<'a> Inliner<'a> {
-    fn body(&mut self, definition: &'a Definition) -> Result<Expr, WorksheetMistake> {
+    fn body(&mut self, definition: &'a Definition) -> Option<Expr> {
         if let Some(body) = self.done.get(definition.name.as_str()) {
-            return Ok(body.clone());
+            return body.clone();
         }
         if let Some(start) = self.open.iter().position(|name| *name == definition.name) {
             let mut cycle: Vec<String> = self.open[start..].iter().map(|name| name.to_string()).collect();
             cycle.push(definition.name.clone());
-            return Err(WorksheetMistake::Recursion { cycle, span: definition.span.clone().into() });
+            return self.refuse(WorksheetMistake::Recursion { cycle, span: definition.span.clone().into() });
         }
         self.open.push(&definition.name);
-        let body = self.expression(&definition.body)?;
+        let body = self.expression(&definition.body);
         self.open.pop();
         self.done.insert(&definition.name, body.clone());
-        Ok(body)
+        body
     }
 
-    fn expression(&mut self, expression: &'a Expr) -> Result<Expr, WorksheetMistake> {
+    fn refuse(&mut self, mistake: WorksheetMistake) -> Option<Expr> {
+        // what is too large is so wherever it is put in
+        let told = |known: &WorksheetMistake| matches!(known, WorksheetMistake::TooLarge { .. });
+        if !(told(&mistake) && self.mistakes.iter().any(told)) {
+            self.mistakes.push(mistake);
+        }
+        None
+    }
+
+    fn expression(&mut self, expression: &'a Expr) -> Option<Expr> {
         let called = expression.as_call().and_then(|(name, arguments)| {
             Some((self.definitions.iter().find(|definition| definition.name == name)?, arguments))
         });
         match called {
             Some((definition, arguments)) => self.call(expression, definition, arguments),
-            None => map(expression, &mut |part| self.expression(part)),
+            None => map(expression, &mut |part| self.expression(part).ok_or(())).ok(),
         }
     }
 
-    fn call(
-        &mut self,
-        call: &Expr,
-        definition: &'a Definition,
-        arguments: &'a [Expr],
-    ) -> Result<Expr, WorksheetMistake> {
+    fn call(&mut self, call: &Expr, definition: &'a Definition, arguments: &'a [Expr]) -> Option<Expr> {
         if arguments.len() != definition.parameters.len() {
-            return Err(WorksheetMistake::Arguments {
+            return self.refuse(WorksheetMistake::Arguments {
                 name: definition.name.clone(),
                 expected: definition.parameters.len(),
                 found: arguments.len(),
@@ -70,15 +74,14 @@ impl<'a> Inliner<'a> {
             });
         }
         let body = self.body(definition)?;
-        let arguments: Vec<Expr> =
-            arguments.iter().map(|argument| self.expression(argument)).collect::<Result<_, _>>()?;
+        let arguments: Vec<Expr> = arguments.iter().map(|argument| self.expression(argument)).collect::<Option<_>>()?;
         let values: BTreeMap<&str, &Expr> = definition.parameters.iter().map(String::as_str).zip(&arguments).collect();
         self.size = self.size.saturating_add(size(&body, &values));
         if self.size > SIZE_LIMIT {
             let (name, span) = (definition.name.clone(), call.span.clone().into());
-            return Err(WorksheetMistake::TooLarge { name, span });
+            return self.refuse(WorksheetMistake::TooLarge { name, span });
         }
-        Ok(put(&body, &values))
+        Some(put(&body, &values))
     }
 }
 
