@@ -5,6 +5,7 @@ use closedform::Kernel;
 
 pub mod five_segment;
 pub mod fly_axis;
+pub mod look_ahead;
 pub mod milling_time;
 pub mod optimum;
 pub mod overhead;
@@ -15,7 +16,7 @@ pub mod turnaround;
 pub mod waypoints;
 
 /// Every kernel, for tools that know none by name.
-pub static ALL: [&Kernel; 69] = [
+pub static ALL: [&Kernel; 83] = [
     &five_segment::by_accelerations::KERNEL,
     &five_segment::ki_without_middle::KERNEL,
     &five_segment::by_times::KERNEL,
@@ -27,6 +28,20 @@ pub static ALL: [&Kernel; 69] = [
     &fly_axis::t_add::KERNEL,
     &fly_axis::overhead::KERNEL,
     &fly_axis::overhead_of_t_out::KERNEL,
+    &look_ahead::half_turn::KERNEL,
+    &look_ahead::corner_radius::KERNEL,
+    &look_ahead::junction_speed::KERNEL,
+    &look_ahead::deviation::KERNEL,
+    &look_ahead::centripetal_speed::KERNEL,
+    &look_ahead::chord::KERNEL,
+    &look_ahead::reachable_speed::KERNEL,
+    &look_ahead::ramp::KERNEL,
+    &look_ahead::peak_speed::KERNEL,
+    &look_ahead::block_time::KERNEL,
+    &look_ahead::jerk_ramp_long::KERNEL,
+    &look_ahead::jerk_ramp_short::KERNEL,
+    &look_ahead::jerk_reachable_long::KERNEL,
+    &look_ahead::jerk_reachable_short::KERNEL,
     &milling_time::direction::KERNEL,
     &milling_time::step_speed::KERNEL,
     &milling_time::limit_of_axes::KERNEL,

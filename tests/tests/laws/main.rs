@@ -2,6 +2,7 @@
 
 mod five_segment;
 mod fly_axis;
+mod look_ahead;
 mod milling_time;
 mod optimum;
 mod overhead;

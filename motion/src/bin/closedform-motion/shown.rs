@@ -14,8 +14,9 @@ const MILLIMETRE: f64 = 1e-3;
 
 /// The axes X, Y, Z of some moves, without dwells.
 pub fn shown(milling: &Milling, moves: &[Move]) -> Outcome<Motion> {
-    let mut timer = Milling::new(*milling.machine(), Model::Continuous)?.timer();
-    let rows = moves.iter().map(|cut| timer.add(cut)).collect::<Result<Vec<Row>, _>>()?;
+    let mut timer = Milling::new(*milling.machine(), Model::ExactStop)?.timer();
+    moves.iter().try_for_each(|cut| timer.add(cut))?;
+    let rows: Vec<Row> = std::iter::from_fn(|| timer.next_row()).collect();
     if rows.iter().all(|row| row.time <= 0.0) {
         return Err(PlotError::Empty { what: "no move has a length" }.into());
     }

@@ -18,13 +18,17 @@ pub struct Summary {
     plan: &'static str,
     facts: Vec<Fact>,
     peaks: Vec<AxisPeaks>,
+    parts: Vec<Parts>,
     files: Vec<Value>,
 }
+
+/// What they are times of, their names and times, and how many are told.
+type Parts = (&'static str, Vec<(String, f64)>, usize);
 
 impl Summary {
     /// Of a plan of this kind, as the command calls it.
     pub fn new(plan: &'static str) -> Self {
-        Self { plan, facts: Vec::new(), peaks: Vec::new(), files: Vec::new() }
+        Self { plan, facts: Vec::new(), peaks: Vec::new(), parts: Vec::new(), files: Vec::new() }
     }
 
     /// A number with its unit; a share has the unit `%` and is told as such.
@@ -42,6 +46,12 @@ impl Summary {
     /// Words.
     pub fn words(&mut self, name: &'static str, value: &str) -> &mut Self {
         self.facts.push(Fact { name, value: json!(value), unit: "", remark: String::new() });
+        self
+    }
+
+    /// Times in s of parts that have names: for people those that take longest.
+    pub fn parts(&mut self, name: &'static str, parts: Vec<(String, f64)>, most: usize) -> &mut Self {
+        self.parts.push((name, parts, most));
         self
     }
 
@@ -81,7 +91,8 @@ impl Summary {
         });
         let lines: Vec<(String, String)> = facts.chain(peaks).chain(written).collect();
         let widest = lines.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
-        lines.iter().map(|(name, text)| format!("{name:widest$}  {text}\n")).collect()
+        let lines = lines.iter().map(|(name, text)| format!("{name:widest$}  {text}\n"));
+        lines.chain(self.parts.iter().map(parts_text)).collect()
     }
 
     /// For programs: every number in its SI unit, `null` where there is no limit.
@@ -89,6 +100,12 @@ impl Summary {
         let facts: Map<String, Value> =
             self.facts.iter().map(|fact| (fact.name.replace([' ', '-'], "_"), fact.json())).collect();
         let peaks: Vec<Value> = self.peaks.iter().map(axis_json).collect();
+        let mut facts = facts;
+        for (name, parts, _) in &self.parts {
+            let parts: Vec<Value> =
+                parts.iter().map(|(name, time)| json!({ "name": name, "value": time, "unit": "s" })).collect();
+            facts.insert(name.replace(' ', "_"), Value::Array(parts));
+        }
         let all = json!({ "plan": self.plan, "facts": facts, "peaks": peaks, "files": self.files });
         format!("{all:#}\n")
     }
@@ -111,6 +128,18 @@ impl Fact {
             unit => json!({ "value": self.value, "unit": unit }),
         }
     }
+}
+
+/// A heading, and a line for each part that takes long.
+fn parts_text((name, parts, most): &Parts) -> String {
+    let mut longest: Vec<&(String, f64)> = parts.iter().collect();
+    longest.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let told = longest.iter().take(*most).map(|(name, time)| format!("  {:>10}  {name}\n", with_unit(*time, "s")));
+    let rest = match parts.len().saturating_sub(*most) {
+        0 => String::new(),
+        rest => format!("  and {rest} more\n"),
+    };
+    format!("{name}\n{}{rest}", told.collect::<String>())
 }
 
 fn peak_text(peak: Peak, unit: &str) -> String {
