@@ -110,6 +110,7 @@ fn speed(feed: Feed, machine: &Machine, length: f64) -> Result<f64, PlanError> {
     };
     match feed {
         Feed::Rapid => Ok(machine.rapid),
+        Feed::Unknown => Ok(machine.rapid.min(machine.feed)),
         Feed::RapidAt(feed) | Feed::Speed(feed) => positive(feed),
         Feed::Within(time) => positive(length / time),
     }

@@ -87,7 +87,8 @@ impl Machine {
                 return Err(PlanError::Input { name, value, remedy });
             }
         }
-        for (name, value) in [("time of a tool change", self.tool_change), ("time of the spindle", self.spindle_start)] {
+        for (name, value) in [("time of a tool change", self.tool_change), ("time of the spindle", self.spindle_start)]
+        {
             if !(value >= 0.0 && value.is_finite()) {
                 return Err(PlanError::Input { name, value, remedy: "make it 0 or positive, and finite" });
             }

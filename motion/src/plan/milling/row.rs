@@ -13,6 +13,8 @@ pub enum Feed {
     Speed(f64),
     /// In so many seconds, without the time to speed up and to brake (G93).
     Within(f64),
+    /// Cutting, but how fast nobody has said: as fast as rapid moves, which is the least time.
+    Unknown,
 }
 
 impl Feed {

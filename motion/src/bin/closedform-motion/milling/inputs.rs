@@ -176,7 +176,10 @@ impl Inputs {
         let others = [
             (self.step.is_some() && asked != ModelFlag::Steps, "step belongs to the model steps"),
             (exact_stop && asked != ModelFlag::ExactStop, "continuous is the model exact-stop"),
-            (self.has_rules() && asked != ModelFlag::LookAhead, "a limit of corners, arcs or jerk belongs to look-ahead"),
+            (
+                self.has_rules() && asked != ModelFlag::LookAhead,
+                "a limit of corners, arcs or jerk belongs to look-ahead",
+            ),
         ];
         if let Some((_, message)) = others.iter().find(|(wrong, _)| *wrong) {
             return Err(Failure::Input(format!("{message}: leave one of them out")));

@@ -16,6 +16,8 @@ pub(super) enum Action {
     ToolChange,
     /// The spindle begins to turn.
     SpindleStart,
+    /// A probe has come to the end of its way, and has touched something there or not.
+    Probed(bool),
     /// A limit of a printer: the number of its code and its words.
     Limit { code: u32, words: [Option<f64>; 26] },
     /// What was passed over, or takes a time that nobody knows.

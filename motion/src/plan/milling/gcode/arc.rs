@@ -14,6 +14,8 @@ use crate::plan::milling::Arc;
 /// 2*0.001*sqrt(2), as LinuxCNC has it.
 const SLACK: f64 = 0.02 * std::f64::consts::SQRT_2;
 const SLACK_INCH: f64 = 25.4 * 0.002 * std::f64::consts::SQRT_2;
+/// What is beyond that, and no more than this, in mm, is told: programs that round to a twentieth of a millimetre have it.
+const TOLD: f64 = 0.1;
 /// Or by which part of the radius, as LinuxCNC's manual and grbl have it.
 const SLACK_PART: f64 = 0.001;
 /// Ends that differ more than this are those of a spiral, whose radius is that in its middle; grbl has this number.
@@ -51,10 +53,18 @@ struct Circle {
     centre: [f64; 2],
     radius: f64,
     angle: f64,
+    /// By how much its ends differ, where that is to be told.
+    apart: Option<f64>,
 }
 
-/// The arc from one point to the other.
-pub(super) fn arc(block: &Block, frame: &Frame, from: [f64; 3], to: [f64; 3], clockwise: bool) -> Result<Arc, Problem> {
+/// The arc from one point to the other, and by how much its ends differ, where that is more than controllers allow.
+pub(super) fn arc(
+    block: &Block,
+    frame: &Frame,
+    from: [f64; 3],
+    to: [f64; 3],
+    clockwise: bool,
+) -> Result<(Arc, Option<f64>), Problem> {
     // The plane's axes in the order in which a turn from the first to the second is counter-clockwise.
     let (first, second) = ((frame.plane + 1) % 3, (frame.plane + 2) % 3);
     let chord = [to[first] - from[first], to[second] - from[second]];
@@ -75,7 +85,8 @@ pub(super) fn arc(block: &Block, frame: &Frame, from: [f64; 3], to: [f64; 3], cl
     centre[first] += circle.centre[0];
     centre[second] += circle.centre[1];
     let height = (to[frame.plane] - from[frame.plane]).abs();
-    Ok(Arc { radius: circle.radius, angle: circle.angle, height, axis: frame.plane, centre, clockwise })
+    let arc = Arc { radius: circle.radius, angle: circle.angle, height, axis: frame.plane, centre, clockwise };
+    Ok((arc, circle.apart))
 }
 
 /// From the start to the centre.
@@ -105,14 +116,16 @@ fn by_centre(centre: [f64; 2], chord: [f64; 2], clockwise: bool, frame: &Frame) 
     if near == 0.0 {
         return Err(Problem::Arc { why: "starts at its own centre: correct I, J, K" });
     }
-    if apart > frame.slack() && apart > SLACK_PART * near.max(far) {
+    let is_told = apart > frame.slack() && apart > SLACK_PART * near.max(far);
+    if is_told && apart > TOLD {
         return Err(Problem::Arc { why: "ends at another distance from its centre than it starts: correct I, J, K" });
     }
     let cross = start[0] * end[1] - start[1] * end[0];
     let dot = start[0] * end[0] + start[1] * end[1];
     let turn = if clockwise { -cross } else { cross }.atan2(dot);
     let radius = if apart > SPIRAL { near + (far - near) / 2.0 } else { near };
-    Ok(Circle { centre, radius, angle: if turn > 0.0 { turn } else { turn + TAU } })
+    let apart = is_told.then_some(apart);
+    Ok(Circle { centre, radius, angle: if turn > 0.0 { turn } else { turn + TAU }, apart })
 }
 
 /// At most half a circle; more with a negative radius.
@@ -131,5 +144,5 @@ fn by_radius(radius: f64, chord: [f64; 2], clockwise: bool, frame: &Frame) -> Re
     let aside = ((least - half) * (least + half)).sqrt() / (2.0 * half);
     let aside = if (radius < 0.0) == clockwise { aside } else { -aside };
     let centre = [chord[0] / 2.0 - aside * chord[1], chord[1] / 2.0 + aside * chord[0]];
-    Ok(Circle { centre, radius: least, angle: if radius < 0.0 { TAU - angle } else { angle } })
+    Ok(Circle { centre, radius: least, angle: if radius < 0.0 { TAU - angle } else { angle }, apart: None })
 }

@@ -25,6 +25,10 @@ pub(super) struct Block {
     pub(super) polar: [Option<f64>; 2],
     words: [Option<f64>; 26],
     settings: Vec<(Name, f64)>,
+    /// Whether P has a point: Haas takes it for seconds then, and for milliseconds without.
+    pub(super) has_point: bool,
+    /// Words that were left out, because a name has no value.
+    pub(super) left_out: Vec<Problem>,
 }
 
 /// Of a parameter.
@@ -52,6 +56,11 @@ impl Block {
             match letter {
                 b'#' => self.setting(&mut scanner, dialect)?,
                 b'a'..=b'z' => self.read_word(letter, &mut scanner, dialect)?,
+                // which of several spindles
+                b'$' => {
+                    scanner.at += 1;
+                    scanner.value()?;
+                }
                 b'@' | b'^' => self.read_polar(letter, &mut scanner)?,
                 _ => return Err(scanner.unreadable()),
             }
@@ -69,6 +78,8 @@ impl Block {
         self.general.clear();
         self.miscellaneous.clear();
         self.settings.clear();
+        self.left_out.clear();
+        self.has_point = false;
         self.polar = [None; 2];
         self.words = [None; 26];
     }
@@ -83,7 +94,16 @@ impl Block {
             self.words[axis].get_or_insert(0.0);
             return Ok(());
         }
-        let value = scanner.value()?;
+        let begin = scanner.at;
+        let value = match scanner.value() {
+            // What only the sender of a program knows: the word counts as if it were not there, and that is told.
+            Err(problem @ Problem::Undefined { .. }) if is_short(&problem) => {
+                self.left_out.push(problem);
+                return Ok(());
+            }
+            value => value?,
+        };
+        self.has_point |= letter == b'p' && scanner.code[begin..scanner.at].contains(&b'.');
         match letter {
             b'g' => self.general.push(tenths('G', value)?),
             b'm' => self.miscellaneous.push(tenths('M', value)?),
@@ -152,6 +172,11 @@ impl Block {
     pub(super) fn remove(&mut self, letter: char) -> Option<f64> {
         self.words[index(letter)?].take()
     }
+}
+
+/// Whether it is one of the names that a sender replaces.
+fn is_short(problem: &Problem) -> bool {
+    matches!(problem, Problem::Undefined { name } if name.len() == 4 && !name.starts_with('_'))
 }
 
 fn index(letter: char) -> Option<usize> {

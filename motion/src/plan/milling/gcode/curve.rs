@@ -58,7 +58,7 @@ impl Curve {
         };
         self.last = if is_cubic { end } else { [0.0; 2] };
         let chords = chords(&[begin, near, far, goal]);
-        let feed = feed(state, &from, &to)?;
+        let feed = feed(state, &from, &to, actions)?;
         let mut here = from;
         for index in 1..=chords {
             let share = f64::from(index) / f64::from(chords);
@@ -117,7 +117,7 @@ impl Curve {
         let last = points[points.len() - 1];
         let mut goal = state.position;
         (goal[0], goal[1], goal[2]) = (last[0], last[1], last[2]);
-        let feed = feed(state, &state.position, &goal)?;
+        let feed = feed(state, &state.position, &goal, actions)?;
         for span in order - 1..points.len() {
             let (begin, end) = (knots[span], knots[span + 1]);
             if begin >= end {

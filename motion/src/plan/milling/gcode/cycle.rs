@@ -165,7 +165,7 @@ fn go_to(state: &mut State, to: &Axes, is_rapid: bool, actions: &mut Vec<Action>
     if from == *to {
         return Ok(());
     }
-    let feed = if is_rapid { rapid(state) } else { feed(state, &from, to)? };
+    let feed = if is_rapid { rapid(state) } else { feed(state, &from, to, actions)? };
     state.position = *to;
     actions.push(straight(state, &from, to, feed));
     Ok(())

@@ -81,7 +81,8 @@ impl Dialect {
         {
             return Self::Marlin;
         }
-        if any(is_macro) || (any(is_program_number) && !any(|line| line.contains("#<"))) {
+        // A number of a program alone says nothing: Mach, LinuxCNC and Haas have them too.
+        if any(is_macro) || lower.contains("fanuc") {
             return Self::Fanuc;
         }
         if any(|line| line.starts_with('$')) { Self::Grbl } else { Self::LinuxCnc }
@@ -96,8 +97,7 @@ fn bare(line: &str) -> &str {
 
 /// `o100 sub` and its kin.
 fn is_o_word(line: &str) -> bool {
-    const WORDS: [&str; 10] =
-        ["sub", "endsub", "call", "if", "while", "do", "repeat", "return", "endif", "endwhile"];
+    const WORDS: [&str; 10] = ["sub", "endsub", "call", "if", "while", "do", "repeat", "return", "endif", "endwhile"];
     let Some(rest) = line.strip_prefix('o') else { return line.contains("#<") };
     if rest.starts_with('<') {
         return true;
@@ -126,8 +126,22 @@ fn is_printer(line: &str) -> bool {
             Some(b'e') => word.len() > 1 && value(&word[1..]),
             Some(b'm') => matches!(
                 word.split('.').next().unwrap_or(word),
-                "m82" | "m83" | "m104" | "m106" | "m107" | "m109" | "m140" | "m190" | "m201" | "m203" | "m204"
-                    | "m205" | "m862" | "m900" | "m117" | "m500"
+                "m82"
+                    | "m83"
+                    | "m104"
+                    | "m106"
+                    | "m107"
+                    | "m109"
+                    | "m140"
+                    | "m190"
+                    | "m201"
+                    | "m203"
+                    | "m204"
+                    | "m205"
+                    | "m862"
+                    | "m900"
+                    | "m117"
+                    | "m500"
             ),
             _ => false,
         }
@@ -141,12 +155,6 @@ fn is_macro(line: &str) -> bool {
     after("if").or(after("while")).is_some_and(|rest| rest.starts_with('['))
         || after("goto").is_some()
         || line.contains("g65")
-}
-
-/// `O1234` or `:1234` alone.
-fn is_program_number(line: &str) -> bool {
-    let number = line.strip_prefix(['o', ':']).unwrap_or_default();
-    !number.is_empty() && number.bytes().all(|digit| digit.is_ascii_digit())
 }
 
 #[cfg(test)]
@@ -164,7 +172,8 @@ mod tests {
             ("G1 X1 E-5 F300", Dialect::Marlin),
             ("G1 X9.02e-7 F300", Dialect::LinuxCnc),
             ("SET_VELOCITY_LIMIT ACCEL=1000\nG1 X1", Dialect::Klipper),
-            ("%\nO1234 (part)\nG0 X1", Dialect::Fanuc),
+            ("%\nO1234 (part)\nG0 X1", Dialect::LinuxCnc),
+            ("%\nO1234 (part)\nG65 P9000 A1", Dialect::Fanuc),
             ("#1=5\nWHILE [#1 GT 0] DO1\nEND1", Dialect::Fanuc),
         ];
         for (text, dialect) in cases {

@@ -54,6 +54,21 @@ pub enum Problem {
     /// Coordinates, but no code that says how to move.
     #[error("coordinates, but no G0, G1, G2 or G3 is in force: give one")]
     NoMotion,
+    /// The same before the first of them.
+    #[error("coordinates before the first G0, G1, G2 or G3: they count as a rapid move (G0), as grbl has it")]
+    FirstMotion,
+    /// An arc whose ends are a little too differently far from its centre.
+    #[error("the arc ends {apart} mm farther from its centre than it starts, or nearer: LinuxCNC and grbl refuse it")]
+    Spiral {
+        /// In mm.
+        apart: f64,
+    },
+    /// A sub-program that another memory may have.
+    #[error("there is no sub-program O{label} in the file or beside it: it counts 0 s")]
+    NoProgram {
+        /// Its number.
+        label: String,
+    },
     /// A word or a motion that the line has twice.
     #[error("{what} stands twice in one line: split the line")]
     Twice {
@@ -78,7 +93,9 @@ pub enum Problem {
     #[error("G4 needs its time, P or S, and not a negative one: give it")]
     Dwell,
     /// A cut before the first F.
-    #[error("a cut, but no feed is in force: give F before it, or a default feed")]
+    #[error(
+        "a cut, but no feed is in force: it counts as fast as the machine goes; give F before it, or a default feed"
+    )]
     NoFeed,
     /// The feed per turn of a spindle that stands still.
     #[error("a feed per turn (G95) or a thread, but the spindle has no speed: give S before it")]
@@ -141,8 +158,7 @@ impl Problem {
     pub(super) fn is_fatal(&self) -> bool {
         matches!(
             self,
-            Self::NoFeed
-                | Self::NoSpindle
+            Self::NoSpindle
                 | Self::Feed { .. }
                 | Self::CarriageReturn
                 | Self::TooLong { .. }

@@ -179,8 +179,21 @@ impl<'a> Scanner<'a> {
             let value = self.parameters.name(&name, self.controller);
             return value.ok_or(Problem::Undefined { name });
         }
+        if let Some(name) = self.short_name() {
+            return self.parameters.name(&name, self.controller).ok_or(Problem::Undefined { name });
+        }
         let number = self.index()?;
         Ok(self.parameters.number(number, self.controller))
+    }
+
+    /// `#TOLX`: names of four letters without brackets, which GRBL-Plotter replaces before it sends a line.
+    fn short_name(&mut self) -> Option<String> {
+        let name = self.code.get(self.at..self.at + 4)?;
+        let is_name = name.iter().all(u8::is_ascii_lowercase) && self.code.get(self.at + 4) != Some(&b'[');
+        is_name.then(|| {
+            self.at += 4;
+            String::from_utf8_lossy(name).into_owned()
+        })
     }
 
     /// The number of a parameter.
@@ -267,12 +280,13 @@ impl<'a> Scanner<'a> {
         if self.take(b"]") { Ok(f64::from(u8::from(known))) } else { Err(wrong("has no end: close it with ]")) }
     }
 
-    /// What cannot be read, from the letter before it to the next one.
+    /// What cannot be read: the letters around it, or all from the letter before it to the next one.
     pub(super) fn unreadable(&self) -> Problem {
         let at = self.at.min(self.code.len());
         let begin = self.code[..at].iter().rposition(u8::is_ascii_alphabetic).unwrap_or(0);
+        let is_word = self.peek().is_some_and(|byte| byte.is_ascii_alphabetic());
         let rest = self.code[at..].iter().skip(1);
-        let end = at + 1 + rest.take_while(|byte| !byte.is_ascii_alphabetic()).count();
+        let end = at + 1 + rest.take_while(|byte| byte.is_ascii_alphabetic() == is_word).count();
         let text = String::from_utf8_lossy(&self.code[begin..end.min(self.code.len())]).to_ascii_uppercase();
         Problem::Syntax { text: text.chars().take(40).collect() }
     }
@@ -282,12 +296,7 @@ impl Operator {
     fn strength(self) -> u32 {
         match self {
             Self::And | Self::Or | Self::ExclusiveOr => 0,
-            Self::Equal
-            | Self::Different
-            | Self::Greater
-            | Self::GreaterOrEqual
-            | Self::Less
-            | Self::LessOrEqual => 1,
+            Self::Equal | Self::Different | Self::Greater | Self::GreaterOrEqual | Self::Less | Self::LessOrEqual => 1,
             Self::Plus | Self::Minus => 2,
             Self::Times | Self::Divided | Self::Remainder => 3,
             Self::Power => 4,

@@ -401,7 +401,10 @@ impl<R: BufRead> Flow<R> {
     }
 
     fn no_loop(&self, label: &str) -> GcodeError {
-        self.fail(Problem::Flow { what: format!("O{label} is no loop that is under way"), remedy: "correct its number" })
+        self.fail(Problem::Flow {
+            what: format!("O{label} is no loop that is under way"),
+            remedy: "correct its number",
+        })
     }
 
     // ---- Jumps ------------------------------------------------------------------------------------------------------
@@ -495,10 +498,22 @@ impl<R: BufRead> Flow<R> {
         Ok(())
     }
 
-    /// The lines of a sub-program: one that has come, one that comes later in the file, or one in a file of its own.
+    /// Whether there is such a sub-program.
+    pub(super) fn knows(&mut self, label: &str) -> Outcome<bool> {
+        Ok(self.search(label)?.is_some())
+    }
+
     fn find(&mut self, label: &str) -> Outcome<Rc<[Line]>> {
+        self.search(label)?.ok_or_else(|| {
+            let what = format!("there is no sub-program O{label}");
+            self.fail(Problem::Flow { what, remedy: "put it into the file, or beside it" })
+        })
+    }
+
+    /// The lines of a sub-program: one that has come, one that comes later in the file, or one in a file of its own.
+    fn search(&mut self, label: &str) -> Outcome<Option<Rc<[Line]>>> {
         if let Some(lines) = self.subs.get(label) {
-            return Ok(Rc::clone(lines));
+            return Ok(Some(Rc::clone(lines)));
         }
         let (dialect, text) = (self.dialect, &mut self.text);
         let rest = self.stream.rest()?;
@@ -512,15 +527,12 @@ impl<R: BufRead> Flow<R> {
                     }
                     lines
                 }
-                None => {
-                    let what = format!("there is no sub-program O{label}");
-                    return Err(self.fail(Problem::Flow { what, remedy: "put it into the file, or beside it" }));
-                }
+                None => return Ok(None),
             },
         };
         let lines: Rc<[Line]> = lines.into();
         self.subs.insert(label.to_owned(), Rc::clone(&lines));
-        Ok(lines)
+        Ok(Some(lines))
     }
 
     /// A sub-program ends, with a value.

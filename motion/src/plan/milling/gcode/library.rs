@@ -34,7 +34,10 @@ pub(super) fn cut<'a>(
                 lines.push(line.clone());
                 return found.map(|(_, lines)| lines);
             }
-            (Some((Keyword::Program, _)), Some(Statement { keyword: Keyword::Program, label: Label::Known(_), .. })) => {
+            (
+                Some((Keyword::Program, _)),
+                Some(Statement { keyword: Keyword::Program, label: Label::Known(_), .. }),
+            ) => {
                 break;
             }
             (Some((_, lines)), _) => lines.push(line.clone()),

@@ -26,6 +26,7 @@ mod codes;
 mod curve;
 mod cycle;
 mod dialect;
+mod envelope;
 mod error;
 mod expression;
 mod flow;

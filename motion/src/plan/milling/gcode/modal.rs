@@ -5,6 +5,7 @@ use super::block::Block;
 use super::codes::{self, FeedMode, General, Length, Miscellaneous, Modes as Saving, Motion, Shift};
 use super::curve::Curve;
 use super::cycle::Cycle;
+use super::dialect::Dialect;
 use super::error::Problem;
 use super::motion;
 use super::offsets::{AXES, LETTERS};
@@ -47,18 +48,20 @@ struct Asked {
     stop_once: bool,
     call: bool,
     end_curve: bool,
+    /// Its words belong to a code whose moves nobody knows.
+    is_untimed: bool,
 }
 
 impl Modal {
-    pub(super) fn new(reading: &Reading, dialect: super::dialect::Dialect) -> Self {
+    pub(super) fn new(reading: &Reading, dialect: Dialect) -> Self {
         Self { state: State::new(reading, dialect), cycle: Cycle::default(), curve: Curve::default() }
     }
 
     /// What a block does. With a problem, what is in force has changed, but nothing moves.
     pub(super) fn execute(&mut self, block: &mut Block, actions: &mut Vec<Action>) -> Result<End, Problem> {
-        let asked = self.set_modes(block, actions);
-        let asked = asked?;
+        let asked = self.set_modes(block, actions)?;
         self.set_feed(block)?;
+        self.extruder(block)?;
         let end = self.miscellaneous(block, actions)?;
         if let Some(length) = asked.length {
             table::tool_length(&mut self.state, length, block)?;
@@ -66,6 +69,9 @@ impl Modal {
         if asked.dwell {
             let time = self.dwell(block)?;
             actions.push(Action::Dwell(time));
+        }
+        if asked.is_untimed {
+            return Ok(end);
         }
         if asked.call {
             return Ok(End::Call { arguments: true });
@@ -83,6 +89,20 @@ impl Modal {
         Ok(end)
     }
 
+    /// E of mills belongs to outputs (M66 to M68) and threads, and is no axis.
+    fn extruder(&self, block: &mut Block) -> Result<(), Problem> {
+        let dialect = self.state.dialect;
+        if dialect.prints() || block.word('E').is_none() {
+            return Ok(());
+        }
+        let is_output = block.miscellaneous.iter().any(|code| (660..=680).contains(code));
+        block.remove('E');
+        match is_output || block.general.contains(&760) {
+            true => Ok(()),
+            false => Err(Problem::Dialect { what: "the word E".to_owned(), dialect: dialect.name() }),
+        }
+    }
+
     fn set_modes(&mut self, block: &Block, actions: &mut Vec<Action>) -> Result<Asked, Problem> {
         let (mut asked, mut problem) = (Asked::default(), None);
         for code in &block.general {
@@ -93,7 +113,13 @@ impl Modal {
             let name = || codes::name('G', *code);
             match general {
                 General::Unknown => _ = problem.get_or_insert(Problem::Code { code: name() }),
-                General::Untimed => actions.push(untimed(&name())),
+                General::Untimed => {
+                    actions.extend([Action::Rest, untimed(&name())]);
+                    asked.is_untimed = true;
+                    if *code == 280 {
+                        self.to_switches(block);
+                    }
+                }
                 General::Compensation if !self.state.modes.is_compensated => {
                     self.state.modes.is_compensated = true;
                     let what = format!("{}: the path is timed without the compensation of the cutter", name());
@@ -102,6 +128,8 @@ impl Modal {
                 _ => {}
             }
         }
+        // G80 beside a motion, as in the first lines of many programs, cancels the one before.
+        self.state.modes.motion = asked.motion.or(self.state.modes.motion);
         problem.map_or(Ok(asked), Err)
     }
 
@@ -110,6 +138,7 @@ impl Modal {
         match general {
             General::Motion(motion) => {
                 modes.motion = Some(motion);
+                modes.is_first = false;
                 if asked.motion.replace(motion).is_some_and(|before| before != motion) {
                     return Err(Problem::Twice { what: "a motion code (G0 to G3)".to_owned() });
                 }
@@ -133,12 +162,21 @@ impl Modal {
             General::FeedMode(mode) => modes.feed_mode = mode,
             General::ConstantSurface(constant) => modes.constant_surface = constant,
             General::RetractToStart(start) => modes.retract_to_start = start,
-            General::Cancel => modes.motion = None,
+            General::Cancel => (modes.motion, modes.is_first) = (None, false),
             General::EndCurve => asked.end_curve = true,
             General::Call => asked.call = true,
             General::Compensation | General::Quiet | General::Untimed | General::Unknown => {}
         }
         Ok(())
+    }
+
+    /// To its switches a printer goes in a time that nobody knows; the axes that it names, or all, are at 0 then.
+    fn to_switches(&mut self, block: &Block) {
+        let named = |axis: &usize| block.word(LETTERS[*axis]).is_some();
+        let is_any = (0..3).any(|axis| named(&axis));
+        for axis in (0..3).filter(|axis| !is_any || named(axis)) {
+            self.state.position[axis] = self.state.offsets.sum(axis);
+        }
     }
 
     fn shift(&mut self, shift: Shift) {
@@ -236,6 +274,7 @@ impl Modal {
     fn dwell(&mut self, block: &mut Block) -> Result<f64, Problem> {
         let by_p = match self.state.dwell {
             DwellUnit::Seconds => 1.0,
+            DwellUnit::Milliseconds if self.state.dialect == Dialect::Fanuc && block.has_point => 1.0,
             DwellUnit::Milliseconds => 1e-3,
         };
         let time = match (block.remove('P'), block.word('S')) {
@@ -266,7 +305,7 @@ impl Modal {
         let begun = actions.len();
         match state.modes.motion {
             Some(Motion::Cycle(code)) => {
-                if LETTERS.iter().any(|letter| block.word(*letter).is_some()) || asked.motion.is_some() {
+                if has_axes(block) || asked.motion.is_some() {
                     self.cycle.drill(state, code, asked.motion.is_some(), block, actions)?;
                 }
             }
@@ -293,6 +332,10 @@ impl Modal {
     fn end_curve(&mut self, actions: &mut Vec<Action>) -> Result<(), Problem> {
         self.curve.finish(&mut self.state, actions)
     }
+}
+
+fn has_axes(block: &Block) -> bool {
+    LETTERS.iter().any(|letter| block.word(*letter).is_some())
 }
 
 fn untimed(code: &str) -> Action {

@@ -21,6 +21,9 @@ pub(super) fn go(
     block: &mut Block,
     actions: &mut Vec<Action>,
 ) -> Result<(), Problem> {
+    if let Some(Motion::Other(code)) = asked {
+        return Err(Problem::Code { code: codes::name('G', code) });
+    }
     let has_axes = LETTERS.iter().any(|letter| block.word(*letter).is_some()) || block.polar != [None; 2];
     let is_arc = matches!(motion, Some(Motion::Clockwise | Motion::CounterClockwise));
     // A circle may come back to where it starts without naming the point.
@@ -36,6 +39,10 @@ pub(super) fn go(
         Some(motion) => motion,
         // Printers move before the first code of a motion too.
         None if state.dialect.prints() => Motion::Linear,
+        None if state.modes.is_first => {
+            actions.push(Action::Tell(Problem::FirstMotion));
+            Motion::Rapid
+        }
         None => return Err(Problem::NoMotion),
     };
     if let (false, Some(letter)) = (is_arc, block.any(OF_ARCS))
@@ -52,8 +59,11 @@ pub(super) fn go(
             actions.push(straight(state, &from, &to, feed));
         }
         Motion::Linear => {
-            let feed = feed(state, &from, &to)?;
+            let feed = feed(state, &from, &to, actions)?;
             actions.push(straight(state, &from, &to, feed));
+        }
+        Motion::Clockwise | Motion::CounterClockwise if is_tilted(state) => {
+            tilted(state, motion == Motion::Clockwise, (&from, &to), block, actions)?;
         }
         Motion::Clockwise | Motion::CounterClockwise => {
             let frame = arc::Frame {
@@ -64,8 +74,9 @@ pub(super) fn go(
                 turn: state.offsets.system().turn,
             };
             let (from3, to3) = (spatial(&from), spatial(&to));
-            let arc = arc::arc(block, &frame, from3, to3, motion == Motion::Clockwise)?;
-            let feed = feed(state, &from, &to)?;
+            let (arc, apart) = arc::arc(block, &frame, from3, to3, motion == Motion::Clockwise)?;
+            actions.extend(apart.map(|apart| Action::Tell(Problem::Spiral { apart })));
+            let feed = feed(state, &from, &to, actions)?;
             actions.push(Action::Move(Move { path: Path::Arc(arc), ..base(state, &from, &to, feed) }));
         }
         Motion::Thread => {
@@ -80,10 +91,12 @@ pub(super) fn go(
             state.position = from;
         }
         Motion::Probe => {
-            let feed = feed(state, &from, &to)?;
-            state.probed = state.program_position();
+            let feed = feed(state, &from, &to, actions)?;
             let what = "probing counts the whole way, as if it found nothing before".to_owned();
             actions.extend([straight(state, &from, &to, feed), Action::Rest, Action::Tell(Problem::Stopped { what })]);
+            // An error (G38.2, G38.4) is what probing without a touch would be, so it has touched at the end.
+            let has_touched = !block.general.iter().any(|code| matches!(code, 383 | 385));
+            actions.push(Action::Probed(has_touched));
         }
         Motion::Other(code) => return Err(Problem::Code { code: codes::name('G', code) }),
         Motion::Cubic | Motion::Quadratic | Motion::Nurbs | Motion::Cycle(_) => {}
@@ -109,9 +122,6 @@ pub(super) fn target(state: &State, machine: bool, block: &Block) -> Result<Axes
     let mut is_named = [false; AXES];
     for axis in 0..AXES {
         let Some(value) = block.word(LETTERS[axis]) else { continue };
-        if axis == AXES - 1 && !state.dialect.prints() {
-            return Err(Problem::Dialect { what: "the word E".to_owned(), dialect: state.dialect.name() });
-        }
         let absolute = if axis == AXES - 1 { modes.absolute_extruder } else { modes.absolute };
         let given = value * state.unit_of(axis);
         program[axis] = if absolute || machine { given } else { program[axis] + given };
@@ -158,6 +168,44 @@ fn polar(point: &mut Axes, distance: Option<f64>, angle: Option<f64>, absolute: 
     (point[0], point[1]) = (there[0], there[1]);
 }
 
+/// Whether the plane of arcs is none of two axes of the machine.
+fn is_tilted(state: &State) -> bool {
+    state.offsets.system().turn != 0.0 && state.modes.plane != 2
+}
+
+/// Chords of an arc in such a plane are no farther from it than this, in mm.
+const NEAR: f64 = 0.002;
+
+/// An arc across a coordinate system that is turned about Z: chords, each turned.
+fn tilted(
+    state: &State,
+    clockwise: bool,
+    (from, to): (&Axes, &Axes),
+    block: &Block,
+    actions: &mut Vec<Action>,
+) -> Result<(), Problem> {
+    let (begin, end) = (state.offsets.to_program(from), state.offsets.to_program(to));
+    let frame = arc::Frame {
+        plane: state.modes.plane,
+        unit: state.modes.unit,
+        centre_from: state.modes.absolute_centre.then_some([0.0; 3]),
+        prints: state.dialect.prints(),
+        turn: 0.0,
+    };
+    let (arc, _) = arc::arc(block, &frame, spatial(&begin), spatial(&end), clockwise)?;
+    let feed = feed(state, from, to, actions)?;
+    let (mut here, count) = (*from, arc.chords_within(NEAR));
+    for index in 1..=count {
+        let share = f64::from(index) / f64::from(count);
+        let mut there = std::array::from_fn(|axis| begin[axis] + share * (end[axis] - begin[axis]));
+        there[..3].copy_from_slice(&arc.at(spatial(&begin), spatial(&end), share));
+        let there = if index == count { *to } else { state.offsets.to_machine(&there) };
+        actions.push(straight(state, &here, &there, feed));
+        here = there;
+    }
+    Ok(())
+}
+
 /// A move from point to point, as the state has it.
 pub(super) fn base(state: &State, from: &Axes, to: &Axes, feed: Feed) -> Move {
     let others = std::array::from_fn(|axis| to[axis + 3] - from[axis + 3]);
@@ -183,9 +231,13 @@ pub(super) fn rapid(state: &State) -> Feed {
 }
 
 /// The feed that is in force: along X, Y, Z; of turning axes, where only they move, in degrees.
-pub(super) fn feed(state: &State, from: &Axes, to: &Axes) -> Result<Feed, Problem> {
+pub(super) fn feed(state: &State, from: &Axes, to: &Axes, actions: &mut Vec<Action>) -> Result<Feed, Problem> {
     let modes = &state.modes;
-    let feed = modes.feed.ok_or(Problem::NoFeed)?;
+    let Some(feed) = modes.feed else {
+        // One may be in force from before: the fastest is the least time.
+        actions.push(Action::Tell(Problem::NoFeed));
+        return Ok(Feed::Unknown);
+    };
     let moves = |axes: std::ops::Range<usize>| axes.into_iter().any(|axis| from[axis] != to[axis]);
     match modes.feed_mode {
         FeedMode::Inverse => Ok(Feed::Within(60.0 / feed)),
@@ -222,12 +274,7 @@ fn thread(state: &State, block: &Block) -> Result<Feed, Problem> {
 }
 
 /// G28, G30: over the point that the block names to the home position of the axes that it names, or of all.
-pub(super) fn home(
-    state: &mut State,
-    home: usize,
-    block: &Block,
-    actions: &mut Vec<Action>,
-) -> Result<(), Problem> {
+pub(super) fn home(state: &mut State, home: usize, block: &Block, actions: &mut Vec<Action>) -> Result<(), Problem> {
     let (there, is_given) = state.homes[home];
     let named: Vec<usize> = (0..AXES).filter(|axis| block.word(LETTERS[*axis]).is_some()).collect();
     let feed = rapid(state);

@@ -37,7 +37,14 @@ pub(super) struct Offsets {
 impl Offsets {
     pub(super) fn new() -> Self {
         let none = [0.0; AXES];
-        Self { systems: [System::default(); SYSTEMS], current: 0, shift: none, is_shifted: false, local: none, tool: none }
+        Self {
+            systems: [System::default(); SYSTEMS],
+            current: 0,
+            shift: none,
+            is_shifted: false,
+            local: none,
+            tool: none,
+        }
     }
 
     pub(super) fn system(&self) -> &System {

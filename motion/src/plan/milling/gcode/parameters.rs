@@ -36,8 +36,7 @@ pub(super) struct Parameters {
 impl Parameters {
     /// With those that are given.
     pub(super) fn new(given: &[(String, f64)]) -> Self {
-        let mut parameters =
-            Self { numbers: HashMap::new(), globals: HashMap::new(), locals: Vec::new() };
+        let mut parameters = Self { numbers: HashMap::new(), globals: HashMap::new(), locals: Vec::new() };
         parameters.enter([0.0; ARGUMENTS]);
         for (name, value) in given {
             match name.parse::<u32>() {
@@ -48,7 +47,6 @@ impl Parameters {
         }
         parameters
     }
-
 
     /// A sub-program begins, with these arguments.
     pub(super) fn enter(&mut self, arguments: [f64; ARGUMENTS]) {

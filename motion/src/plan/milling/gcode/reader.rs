@@ -6,6 +6,7 @@ use std::io::BufRead;
 use super::action::Action;
 use super::block::Block;
 use super::dialect::Dialect;
+use super::envelope;
 use super::error::{GcodeError, Notice, Problem};
 use super::flow::{Flow, Next};
 use super::modal::{End, Modal};
@@ -132,10 +133,17 @@ impl<R: BufRead, F: FnMut(Event<'_>)> Program<'_, R, F> {
     fn run(mut self) -> Result<Summary, GcodeError> {
         (self.on_event)(Event::Dialect(self.dialect));
         let (mut bytes, mut text, mut lines) = (Vec::new(), Text::default(), 0_u64);
+        let mut is_wrapped = false;
         while self.flow.next(&mut bytes, &mut self.parameters)? {
             let line = match self.flow.line {
                 1 => bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&bytes),
                 _ => &bytes,
+            };
+            is_wrapped |= self.flow.line == 1 && envelope::is_header(line);
+            let line = match (is_wrapped, envelope::is_header(line)) {
+                (true, true) => &[],
+                (true, false) => envelope::sent(line),
+                (false, _) => line,
             };
             self.modal.state.line = self.flow.line;
             let kind = text.read(line, self.dialect);
@@ -181,6 +189,7 @@ impl<R: BufRead, F: FnMut(Event<'_>)> Program<'_, R, F> {
             Kind::Mark => Ok(!self.begun || self.flow.line <= self.first_mark),
             Kind::Command => self.command(&text.code),
             Kind::Code if text.code.is_empty() => {
+                self.begun |= !text.comment.is_empty();
                 self.feature(&text.comment);
                 Ok(true)
             }
@@ -192,7 +201,9 @@ impl<R: BufRead, F: FnMut(Event<'_>)> Program<'_, R, F> {
     fn feature(&mut self, comment: &[u8]) {
         const OF_CONTROLLERS: [&[u8]; 6] = [b"msg", b"debug", b"print", b"log", b"probe", b"abort"];
         let name = match self.dialect.prints() {
-            true => [b"TYPE:".as_slice(), b"FEATURE:", b"FEATURE: "].iter().find_map(|mark| comment.strip_prefix(*mark)),
+            true => {
+                [b"TYPE:".as_slice(), b"FEATURE:", b"FEATURE: "].iter().find_map(|mark| comment.strip_prefix(*mark))
+            }
             false => Some(comment),
         };
         let Some(name) = name.map(<[u8]>::trim_ascii).filter(|name| !name.is_empty()) else { return };
@@ -223,6 +234,7 @@ impl<R: BufRead, F: FnMut(Event<'_>)> Program<'_, R, F> {
         }
         self.begun |= !self.block.is_empty();
         self.actions.clear();
+        self.actions.extend(self.block.left_out.drain(..).map(Action::Tell));
         let end = self.modal.execute(&mut self.block, &mut self.actions);
         self.act()?;
         match end {
@@ -240,8 +252,8 @@ impl<R: BufRead, F: FnMut(Event<'_>)> Program<'_, R, F> {
     /// M98 and G65: the number of the sub-program is P, and it comes L times; eight digits are both.
     fn call(&mut self, with_arguments: bool) -> Result<(), GcodeError> {
         let Some(number_of) = self.block.word('P').filter(|number| *number >= 0.0) else {
-            let what = "a sub-program is called (M98, G65), but not which one".to_owned();
-            return Err(self.flow.fail(Problem::Flow { what, remedy: "give P" }));
+            let problem = Problem::Cycle { code: "the sub-program".to_owned(), why: "has no number: give P" };
+            return self.problem(problem).map(|_| ());
         };
         let whole = number_of.round() as u64;
         let (times, whole) = match (self.block.word('L'), whole) {
@@ -250,7 +262,13 @@ impl<R: BufRead, F: FnMut(Event<'_>)> Program<'_, R, F> {
             (None, _) => (1, whole),
         };
         let arguments = with_arguments.then(|| arguments(self.block.words()));
-        self.flow.enter(&number(whole.to_string().as_bytes()), times, arguments, &mut self.parameters)
+        let label = number(whole.to_string().as_bytes());
+        // Controllers keep sub-programs of M98 in a memory of their own.
+        if !self.flow.knows(&label)? {
+            self.tell(Problem::NoProgram { label });
+            return Ok(());
+        }
+        self.flow.enter(&label, times, arguments, &mut self.parameters)
     }
 
     /// What printers call a macro, or a setting of grbl.
@@ -281,7 +299,6 @@ impl<R: BufRead, F: FnMut(Event<'_>)> Program<'_, R, F> {
     fn one(&mut self, action: Action) -> Result<(), GcodeError> {
         match action {
             Action::Move(cut) => {
-                self.totals.moves += 1;
                 let line = cut.line;
                 self.timer.add(&cut).map_err(|source| GcodeError::Plan { line, source })?;
                 self.rows();
@@ -299,11 +316,23 @@ impl<R: BufRead, F: FnMut(Event<'_>)> Program<'_, R, F> {
                 self.totals.spindle_starts += 1;
                 self.pause(self.timer.machine().spindle_start)?;
             }
+            Action::Probed(has_touched) => self.probed(has_touched)?,
             Action::Limit { code, words } => {
                 self.rest()?;
                 self.timer.limit(code, &words);
             }
             Action::Tell(problem) => self.tell(problem),
+        }
+        Ok(())
+    }
+
+    /// Parameters of a probe: where it is, and whether it has touched.
+    fn probed(&mut self, has_touched: bool) -> Result<(), GcodeError> {
+        let here = self.modal.state.program_position();
+        let units = (0..9).map(|axis| here[axis] / self.modal.state.unit_of(axis));
+        let values = units.chain([f64::from(u8::from(has_touched))]);
+        for (number, value) in (5061..).zip(values.collect::<Vec<f64>>()) {
+            self.parameters.set(number, value).map_err(|problem| self.flow.fail(problem))?;
         }
         Ok(())
     }

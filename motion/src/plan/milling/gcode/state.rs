@@ -18,6 +18,8 @@ const PRINTER_FEED: f64 = 25.0;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Modes {
     pub(super) motion: Option<Motion>,
+    /// Whether there was none yet.
+    pub(super) is_first: bool,
     /// The axis across the plane of arcs.
     pub(super) plane: usize,
     /// Millimetres in a unit.
@@ -55,8 +57,6 @@ pub(super) struct State {
     /// Of G28 and G30, and whether somebody has said where they are.
     pub(super) homes: [(Axes, bool); 2],
     pub(super) spindle_turns: bool,
-    /// Where the last probing ended, in coordinates of the program.
-    pub(super) probed: Axes,
     /// Of the comment that names what is milled.
     pub(super) feature: u32,
     pub(super) line: u64,
@@ -82,6 +82,7 @@ impl State {
             modes: Modes {
                 // Printers move at once; mills must be told how.
                 motion: None,
+                is_first: true,
                 plane: 2,
                 unit: 1.0,
                 absolute: true,
@@ -104,7 +105,6 @@ impl State {
             tools: HashMap::new(),
             homes: [home; 2],
             spindle_turns: false,
-            probed: [0.0; AXES],
             feature: 0,
             line: 0,
         }
@@ -134,8 +134,6 @@ impl State {
 impl Controller for State {
     fn number(&self, number: u32) -> Option<f64> {
         match number {
-            5061..=5069 => self.coordinate(&self.probed, number - 5061),
-            5070 => Some(1.0),
             5161..=5169 => self.coordinate(&self.homes[0].0, number - 5161),
             5181..=5189 => self.coordinate(&self.homes[1].0, number - 5181),
             5210 => Some(f64::from(u8::from(self.offsets.is_shifted))),

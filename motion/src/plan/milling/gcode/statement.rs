@@ -142,9 +142,17 @@ fn label(code: &[u8], begin: usize) -> Result<(Label, usize), Problem> {
             Ok((Label::Known(number(&rest[..end])), begin + end))
         }
         Some(b'#' | b'[') => {
-            // A computed one ends where its keyword begins.
-            let is_word = |at: &usize| KEYWORDS.iter().any(|(word, _)| rest[*at..].starts_with(word));
-            let end = (1..rest.len()).find(is_word).ok_or_else(unreadable)?;
+            // A computed one ends where its keyword begins, outside of names and brackets.
+            let mut depth = 0_i32;
+            let is_end = |at: &usize| {
+                match rest[*at] {
+                    b'<' | b'[' => depth += 1,
+                    b'>' | b']' => depth -= 1,
+                    _ => {}
+                }
+                depth == 0 && KEYWORDS.iter().any(|(word, _)| rest[*at..].starts_with(word))
+            };
+            let end = (0..rest.len()).find(is_end).ok_or_else(unreadable)?;
             Ok((Label::Computed(begin), begin + end))
         }
         _ => Err(unreadable()),

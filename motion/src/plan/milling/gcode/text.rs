@@ -73,7 +73,8 @@ impl Text {
                 return Ok(());
             }
             match byte {
-                b' ' | b'\t' => {}
+                // other control characters are what damaged files and old tapes have
+                b' ' | b'\t' | 0..=8 | 0x0b | 0x0c | 0x0e..=0x1f | 0x7f => {}
                 b';' => {
                     self.comment.extend_from_slice(line[at + 1..].trim_ascii());
                     return Ok(());
@@ -82,7 +83,9 @@ impl Text {
                 b'"' => at += line[at + 1..].iter().position(|byte| *byte == b'"').map_or(line.len(), |end| end + 1),
                 b'\r' => return Err(Problem::CarriageReturn),
                 b'*' if depth == 0 => return checksum(line, at),
-                b'e' | b'E' if depth == 0 && is_exponent(line, at, dialect) => return Err(self.exponent(line, at)),
+                b'e' | b'E' if depth == 0 && !self.is_code() && is_exponent(line, at, dialect) => {
+                    return Err(self.exponent(line, at));
+                }
                 _ => {
                     depth = match byte {
                         b'[' => depth + 1,
@@ -100,6 +103,12 @@ impl Text {
     /// Whether M117 or M118 has come: all that follows is text for people.
     fn is_message(&self) -> bool {
         matches!(self.code.as_slice(), [.., b'm', b'1', b'1', b'7' | b'8'])
+    }
+
+    /// Whether the last word is a code, whose number has no exponent: `M68E3`.
+    fn is_code(&self) -> bool {
+        let letter = self.code.iter().rev().find(|byte| byte.is_ascii_alphabetic());
+        matches!(letter, Some(b'g' | b'm'))
     }
 
     /// The place of the parenthesis that ends the comment. Comments nest where that closes them all; otherwise the first

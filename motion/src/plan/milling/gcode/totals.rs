@@ -75,6 +75,7 @@ impl Totals {
         };
         time.add(row.time);
         length.add(row.length);
+        self.moves += 1;
         if row.cut.tool != self.last_tool.0 {
             let last = std::mem::take(&mut self.last_tool);
             self.tools.insert(last.0, last.1);
