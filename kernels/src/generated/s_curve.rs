@@ -427,18 +427,18 @@ pub fn short_move(
     start - start * (remainder / (6.0 * j_max * start * start * start))
 }
 
-/// Largest velocity of the move along d from v0 to v1 whose both ramps come to aMax, without a time at that velocity.
+/// By how much the largest velocity of a move along d whose both ramps come to aMax exceeds v, the larger one of the velocities at its ends, without a time at that velocity.
 ///
 /// ```text
-/// sc_between_vp(v0,v1,d,aMax,jMax):=(sqrt(2*jMax^2*v1^2-2*aMax^2*jMax*v1+2*jMax^2*v0^2-2*aMax^2*jMax*v0+4*aMax*d*jMax^2+aMax^4)-aMax^2)/(2*jMax)
+/// sc_rise(v,w,d,aMax,jMax):=sqrt(2*jMax^2*w^2-4*jMax^2*v*w+2*aMax^2*jMax*w+4*jMax^2*v^2-4*aMax^2*jMax*v+4*aMax*d*jMax^2+aMax^4)/(2*jMax)-v-aMax^2/(2*jMax)
 /// ```
 ///
 /// Branch: the + root: the larger velocity.
 ///
 /// # Inputs
 ///
-/// - `v0`, in m/s: velocity at the start
-/// - `v1`, in m/s: velocity at the end
+/// - `v`, in m/s: velocity at the start and at the end, or the larger one of both
+/// - `w`, in m/s: by how much the other one is smaller
 /// - `d`, in m: the way
 /// - `a_max` (`aMax`), in m/s^2: largest acceleration
 /// - `j_max` (`jMax`), in m/s^3: largest jerk
@@ -447,14 +447,14 @@ pub fn short_move(
 ///
 /// All inputs are finite; NaN outside of:
 ///
+/// - `v >= 0`
+/// - `w >= 0`
 /// - `d > 0`
 /// - `aMax > 0`
 /// - `jMax > 0`
-/// - `v0 >= 0`
-/// - `v1 >= 0`
-/// - `2*aMax*d*jMax+(v0^2+v1^2)*jMax >= (v0+v1)*aMax^2`
+/// - `2*jMax*aMax*d > 2*v*aMax^2+(2*v-w)*(w*jMax+aMax^2)`
 ///
-/// At the edges: the ramps come to aMax where it exceeds v0 and v1 by aMax^2/jMax or more.
+/// At the edges: the ramps come to aMax where it is aMax^2/jMax or more.
 ///
 /// # Error
 ///
@@ -463,37 +463,39 @@ pub fn short_move(
 /// From: between velocities, aMax in both ramps.
 #[kernel(
     family = "s_curve",
-    maxima = "sc_between_vp(v0,v1,d,aMax,jMax):=(sqrt(2*jMax^2*v1^2-2*aMax^2*jMax*v1+2*jMax^2*v0^2-2*aMax^2*jMax*v0+4*aMax*d*jMax^2+aMax^4)-aMax^2)/(2*jMax)",
-    latex = "\\mathrm{sc}_{\\mathrm{between},\\mathrm{vp}} = \\frac{\\sqrt{2\\,j_{\\mathrm{Max}}^{2}\\,v_{1}^{2}-2\\,a_{\\mathrm{Max}}^{2}\\,j_{\\mathrm{Max}}\\,v_{1}+2\\,j_{\\mathrm{Max}}^{2}\\,v_{0}^{2}-2\\,a_{\\mathrm{Max}}^{2}\\,j_{\\mathrm{Max}}\\,v_{0}+4\\,a_{\\mathrm{Max}}\\,d\\,j_{\\mathrm{Max}}^{2}+a_{\\mathrm{Max}}^{4}}-a_{\\mathrm{Max}}^{2}}{2\\,j_{\\mathrm{Max}}}",
+    maxima = "sc_rise(v,w,d,aMax,jMax):=sqrt(2*jMax^2*w^2-4*jMax^2*v*w+2*aMax^2*jMax*w+4*jMax^2*v^2-4*aMax^2*jMax*v+4*aMax*d*jMax^2+aMax^4)/(2*jMax)-v-aMax^2/(2*jMax)",
+    latex = "\\mathrm{sc}_{\\mathrm{rise}} = \\frac{\\sqrt{2\\,j_{\\mathrm{Max}}^{2}\\,w^{2}-4\\,j_{\\mathrm{Max}}^{2}\\,v\\,w+2\\,a_{\\mathrm{Max}}^{2}\\,j_{\\mathrm{Max}}\\,w+4\\,j_{\\mathrm{Max}}^{2}\\,v^{2}-4\\,a_{\\mathrm{Max}}^{2}\\,j_{\\mathrm{Max}}\\,v+4\\,a_{\\mathrm{Max}}\\,d\\,j_{\\mathrm{Max}}^{2}+a_{\\mathrm{Max}}^{4}}}{2\\,j_{\\mathrm{Max}}}-v-\\frac{a_{\\mathrm{Max}}^{2}}{2\\,j_{\\mathrm{Max}}}",
     source = "between velocities, aMax in both ramps",
     rules("compensated", "conjugate", "factored", "gathered", "same-sign-radicand"),
     bound = 4.51,
-    certificate = "1-8473b869d245eef8",
-    result(worksheet = "sc_between_vp", unit = "m/s"),
+    certificate = "1-4ceab2f1945f6e93",
+    result(worksheet = "sc_rise", unit = "m/s"),
 )]
-pub fn peak_of_flat_ramps(
-    #[input(maxima = "v0", unit = "m/s", typical(0.001, 2.0))] v0: f64,
-    #[input(maxima = "v1", unit = "m/s", typical(0.001, 2.0))] v1: f64,
+pub fn flat_rise(
+    #[input(maxima = "v", unit = "m/s", typical(0.001, 2.0))] v: f64,
+    #[input(maxima = "w", unit = "m/s", typical(0.001, 2.0))] w: f64,
     #[input(maxima = "d", unit = "m", typical(1e-6, 1.0))] d: f64,
     #[input(maxima = "aMax", unit = "m/s^2", typical(0.1, 100.0))] a_max: f64,
     #[input(maxima = "jMax", unit = "m/s^3", typical(1.0, 100000.0))] j_max: f64,
 ) -> f64 {
+    require!(v >= 0.0, "v >= 0");
+    require!(w >= 0.0, "w >= 0");
     require!(d > 0.0, "d > 0");
     require!(a_max > 0.0, "aMax > 0");
     require!(j_max > 0.0, "jMax > 0");
-    require!(v0 >= 0.0, "v0 >= 0");
-    require!(v1 >= 0.0, "v1 >= 0");
-    require!(compensated!(a_max * (2.0 * d * j_max - a_max * (v0 + v1)) + j_max * (v0 * v0 + v1 * v1)) >= 0.0, "2*aMax*d*jMax+(v0^2+v1^2)*jMax >= (v0+v1)*aMax^2");
+    require!(compensated!(a_max * (a_max * (w - 4.0 * v) + 2.0 * d * j_max) + w * j_max * (w - 2.0 * v)) > 0.0, "2*jMax*aMax*d > 2*v*aMax^2+(2*v-w)*(w*jMax+aMax^2)");
     // compensated
-    let cancelling = compensated!(a_max * (2.0 * d * j_max - a_max * (v0 + v1)) + j_max * (v0 * v0 + v1 * v1));
+    let cancelling = compensated!(a_max * (a_max * (w - 4.0 * v) + 2.0 * d * j_max) + w * j_max * (w - 2.0 * v));
     // gathered
     let polynomial = compensated!(
-        a_max * a_max * (a_max * a_max)
-        + 2.0 * j_max * (a_max * (2.0 * d * j_max - a_max * (v0 + v1)) + j_max * (v0 * v0 + v1 * v1))
+        (2.0 * v * j_max + a_max * a_max) * (2.0 * v * j_max + a_max * a_max)
+        + 2.0 * j_max * (a_max * (a_max * (w - 4.0 * v) + 2.0 * d * j_max) + w * j_max * (w - 2.0 * v))
     );
     let root = sqrt(polynomial);
+    // gathered
+    let polynomial2 = compensated!(2.0 * v * j_max + a_max * a_max);
     // factored, conjugate
-    cancelling / (root + a_max * a_max)
+    cancelling / (root + polynomial2)
 }
 
 /// Time of each of the four stretches of a move along d between equal velocities v that comes neither to vMax nor to aMax.
@@ -506,7 +508,7 @@ pub fn peak_of_flat_ramps(
 ///
 /// # Inputs
 ///
-/// - `v`, in m/s: velocity at the start and at the end
+/// - `v`, in m/s: velocity at the start and at the end, or the larger one of both
 /// - `d`, in m: the way
 /// - `j_max` (`jMax`), in m/s^3: largest jerk
 ///
@@ -629,18 +631,18 @@ pub fn trapezoid(
     }
 }
 
-/// Largest velocity of a move along d from v0 to v1 with a limited acceleration only, that does not come to vMax.
+/// By how much the largest velocity of a move along d with a limited acceleration only exceeds v, the larger one of the velocities at its ends, where it does not come to vMax.
 ///
 /// ```text
-/// sc_triangle_vp(v0,v1,d,aMax):=sqrt(v1^2+v0^2+2*aMax*d)/sqrt(2)
+/// sc_triangle_rise(v,w,d,aMax):=sqrt((v-w)^2+v^2+2*aMax*d)/sqrt(2)-v
 /// ```
 ///
 /// Branch: the + root: the larger velocity.
 ///
 /// # Inputs
 ///
-/// - `v0`, in m/s: velocity at the start
-/// - `v1`, in m/s: velocity at the end
+/// - `v`, in m/s: velocity at the start and at the end, or the larger one of both
+/// - `w`, in m/s: by how much the other one is smaller
 /// - `d`, in m: the way
 /// - `a_max` (`aMax`), in m/s^2: largest acceleration
 ///
@@ -648,37 +650,48 @@ pub fn trapezoid(
 ///
 /// All inputs are finite; NaN outside of:
 ///
+/// - `v >= 0`
+/// - `w >= 0`
 /// - `d > 0`
 /// - `aMax > 0`
+/// - `2*aMax*d > (2*v-w)*w`
 ///
-/// At the edges: the move exists where it is no less than v0 and v1.
+/// At the edges: tends to 0 as d falls to the way of the direct ramp, (2\*v-w)\*w/(2\*aMax).
 ///
 /// # Error
 ///
-/// - at most 2.5 ulp, barring overflow and underflow of the result
+/// - at most 4.51 ulp, barring overflow and underflow of the result
 ///
 /// From: trapezoids, without vMax.
 #[kernel(
     family = "s_curve",
-    maxima = "sc_triangle_vp(v0,v1,d,aMax):=sqrt(v1^2+v0^2+2*aMax*d)/sqrt(2)",
-    latex = "\\mathrm{sc}_{\\mathrm{triangle},\\mathrm{vp}} = \\frac{\\sqrt{v_{1}^{2}+v_{0}^{2}+2\\,a_{\\mathrm{Max}}\\,d}}{\\sqrt{2}}",
+    maxima = "sc_triangle_rise(v,w,d,aMax):=sqrt((v-w)^2+v^2+2*aMax*d)/sqrt(2)-v",
+    latex = "\\mathrm{sc}_{\\mathrm{triangle},\\mathrm{rise}} = \\frac{\\sqrt{\\left(v-w\\right)^{2}+v^{2}+2\\,a_{\\mathrm{Max}}\\,d}}{\\sqrt{2}}-v",
     source = "trapezoids, without vMax",
-    rules("merge-roots"),
-    bound = 2.5,
-    certificate = "1-aeb23d5e0d55a95e",
-    result(worksheet = "sc_triangle_vp", unit = "m/s"),
+    rules("compensated", "conjugate", "factored", "merge-roots"),
+    bound = 4.51,
+    certificate = "1-4fd3ee505707c5f5",
+    result(worksheet = "sc_triangle_rise", unit = "m/s"),
 )]
-pub fn triangle(
-    #[input(maxima = "v0", unit = "m/s", typical(0.001, 2.0))] v0: f64,
-    #[input(maxima = "v1", unit = "m/s", typical(0.001, 2.0))] v1: f64,
+pub fn triangle_rise(
+    #[input(maxima = "v", unit = "m/s", typical(0.001, 2.0))] v: f64,
+    #[input(maxima = "w", unit = "m/s", typical(0.001, 2.0))] w: f64,
     #[input(maxima = "d", unit = "m", typical(1e-6, 1.0))] d: f64,
     #[input(maxima = "aMax", unit = "m/s^2", typical(0.1, 100.0))] a_max: f64,
 ) -> f64 {
+    require!(v >= 0.0, "v >= 0");
+    require!(w >= 0.0, "w >= 0");
     require!(d > 0.0, "d > 0");
     require!(a_max > 0.0, "aMax > 0");
+    require!(compensated!(w * (w - 2.0 * v) + 2.0 * d * a_max) > 0.0, "2*aMax*d > (2*v-w)*w");
+    // compensated
+    let cancelling = compensated!(w * (w - 2.0 * v) + 2.0 * d * a_max);
+    // compensated
+    let cancelling2 = compensated!(w * (w - 2.0 * v) + 2.0 * (d * a_max + v * v));
     // merge-roots
-    let root = sqrt(2.0 * (v0 * v0 + (2.0 * d * a_max + v1 * v1)));
-    0.5 * root
+    let root = sqrt(2.0 * cancelling2);
+    // factored, conjugate
+    cancelling / (root + 2.0 * v)
 }
 
 /// What [`trapezoid_at_rest`](fn@trapezoid_at_rest) returns.

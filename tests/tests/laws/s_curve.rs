@@ -44,9 +44,9 @@ fn a_full_move_closes() {
 #[test]
 fn moves_between_velocities_make_their_way() {
     demand(
-        "s_curve::peak_of_flat_ramps",
-        &["vp"],
-        &["(v0+vp)/2*((vp-v0)/aMax+aMax/jMax)+(vp+v1)/2*((vp-v1)/aMax+aMax/jMax) = d", "2*vp >= -aMax^2/jMax"],
+        "s_curve::flat_rise",
+        &["x"],
+        &["(2*v+x)/2*(x/aMax+aMax/jMax)+(2*v-w+x)/2*((x+w)/aMax+aMax/jMax) = d", "x > 0"],
     );
     demand("s_curve::pointed_move", &["tj"], &["2*tj*(2*v+jMax*tj^2) = d", "tj > 0"]);
     demand(
@@ -59,5 +59,5 @@ fn moves_between_velocities_make_their_way() {
             "tu >= 0 and tv >= 0 and td >= 0",
         ],
     );
-    demand("s_curve::triangle", &["vp"], &["(2*vp^2-v0^2-v1^2)/(2*aMax) = d", "vp > 0"]);
+    demand("s_curve::triangle_rise", &["x"], &["(2*v+x)*x+(2*v-w+x)*(x+w) = 2*aMax*d", "x > 0"]);
 }
