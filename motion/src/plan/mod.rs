@@ -1,6 +1,7 @@
 //! Planners: what is known of a move and the limits of its axes become a plan.
 
 mod check;
+pub mod fastest;
 pub mod five_segment;
 pub mod milling;
 pub mod scan_skip;
