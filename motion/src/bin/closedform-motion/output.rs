@@ -20,7 +20,7 @@ pub struct Output {
     /// Write the table there: .csv or .json
     #[arg(long, value_name = "FILE")]
     pub table: Option<PathBuf>,
-    /// Write a picture there: .svg or .png
+    /// Write a picture there: .svg, .png, or .html to zoom and to read values
     #[arg(long, value_name = "FILE")]
     pub picture: Option<PathBuf>,
     /// The first column of a PVT table says how long each segment takes, not when it ends
@@ -45,14 +45,14 @@ impl Output {
 
     /// Whether the names of the files say what to write, before anything is written.
     pub fn check(&self) -> Outcome<()> {
-        let ends = |path: &Path, endings: [&str; 2]| {
+        let ends = |path: &Path, endings: &[&str]| {
             let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
             endings.iter().any(|one| ending.eq_ignore_ascii_case(one))
         };
-        if let Some(path) = self.table.as_deref().filter(|path| !ends(path, ["csv", "json"])) {
+        if let Some(path) = self.table.as_deref().filter(|path| !ends(path, &["csv", "json"])) {
             return Err(Failure::from(TableError::Format { path: path.display().to_string() }));
         }
-        if let Some(path) = self.picture.as_deref().filter(|path| !ends(path, ["svg", "png"])) {
+        if let Some(path) = self.picture.as_deref().filter(|path| !ends(path, &["svg", "png", "html"])) {
             return Err(Failure::from(PlotError::Format { path: path.display().to_string() }));
         }
         self.spares(self.file.as_deref())
