@@ -4,6 +4,7 @@ mod check;
 pub mod fastest;
 pub mod five_segment;
 pub mod milling;
+pub mod raster_scan;
 pub mod scan_skip;
 mod single;
 pub mod step_move;

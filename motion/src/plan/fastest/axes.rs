@@ -1,6 +1,6 @@
 //! Several axes that set out and arrive together: in the time of the slowest, or in a given one.
 
-use super::Fastest;
+use super::single::Fastest;
 use crate::error::PlanError;
 use crate::motion::{Axis, Limits, Motion};
 use crate::profile::Profile;

@@ -1,8 +1,8 @@
 //! A move stretched to a given time: from rest to rest the same, slower; between velocities with another velocity between.
 
-use super::Fastest;
 use super::between::Course;
 use super::ramp::Ramp;
+use super::single::Fastest;
 use crate::error::PlanError;
 use crate::motion::Limits;
 use crate::plan::check::positive;
