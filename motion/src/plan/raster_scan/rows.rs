@@ -78,7 +78,7 @@ impl RasterPlan {
     }
 
     fn patterns(&self) -> Patterns {
-        let (same, seconds) = (self.clock.same(self.count), |count| self.clock.seconds(count));
+        let (same, seconds) = (self.clock.same(count_of(&self.gap)), |count| self.clock.seconds(count));
         let shifted = |track: &[Timed], by: f64| -> Vec<Timed> {
             track.iter().map(|timed| Timed { start: timed.start + by, end: timed.end + by, ..*timed }).collect()
         };
@@ -88,11 +88,10 @@ impl RasterPlan {
         let out = [&steady[..], &self.lead_out].concat();
         // the step starts before the end of the steady part, and may end after the start of the next
         let leaving = shifted(&self.step, -self.ahead);
-        let mut arriving = shifted(&leaving, -self.count);
+        let mut arriving = shifted(&leaving, -count_of(&self.gap));
+        arriving.retain(|timed| timed.end > same && self.scan.lines > 1);
+        arriving = shifted(&arriving, -self.steady.end);
         arriving.iter_mut().for_each(|timed| *timed = lowered(*timed, self.scan.step));
-        if self.scan.lines == 1 {
-            arriving.clear();
-        }
         let both: Vec<Timed> = arriving.iter().chain(&leaving).copied().collect();
         Patterns {
             lead_in: pieces(&self.lead_in, &[], 0.0, same, seconds),
