@@ -2,8 +2,8 @@
 
 mod support;
 
+use closedform_motion::plan::derived_raster::{Choice, DerivedRaster};
 use closedform_motion::plan::raster_scan::{Order, RasterPlan, RasterScan, Slower};
-use closedform_motion::plan::scan_skip::{Choice, ScanSkip};
 use closedform_motion::{Knot, Limits, Quantity};
 use support::{EPS, Random, integrates_in_reach, problems};
 
@@ -188,7 +188,7 @@ fn no_search_over_time_is_faster() {
 
 /// The period, and the largest jerks of both axes, of a raster by a shape of the derivation.
 fn derived(scan: &RasterScan, choice: Choice) -> Option<(f64, [f64; 2])> {
-    let old = ScanSkip::new(
+    let old = DerivedRaster::new(
         scan.velocity,
         scan.fly.acceleration,
         scan.step.abs(),
@@ -196,7 +196,7 @@ fn derived(scan: &RasterScan, choice: Choice) -> Option<(f64, [f64; 2])> {
         scan.line_length.abs(),
         2,
     );
-    let plan = ScanSkip { choice, ..old }.plan().ok()?;
+    let plan = DerivedRaster { choice, ..old }.plan().ok()?;
     let motion = plan.motion().ok()?;
     let jerk = |index: usize| motion.axes()[index].profile.extremes(Quantity::Jerk).peak().value.abs();
     Some((plan.period, [jerk(0), jerk(1)]))

@@ -1,8 +1,8 @@
 //! Between two lines: the turn-around of the fly axis, or its way back, and the step, each on the clock.
 
-use super::clock::Clock;
 use super::input::{Order, RasterScan};
 use crate::error::PlanError;
+use crate::plan::clock::Clock;
 use crate::plan::fastest::{Fastest, Ramp};
 use crate::segment::{Segment, State};
 

@@ -5,7 +5,7 @@
 //! the slower one sets the time. So no turn-around under these limits is faster. The other axis is stretched to that time,
 //! and is gentler.
 //!
-//! Without a limit of the jerk accelerations jump, as in a trapezoid. [`crate::plan::scan_skip`] has the turn-arounds of the
+//! Without a limit of the jerk accelerations jump, as in a trapezoid. [`crate::plan::derived_raster`] has the turn-arounds of the
 //! derivation, whose accelerations are continuous on the line and which take longer.
 //!
 //! ```
@@ -22,7 +22,6 @@
 //! # }
 //! ```
 
-mod clock;
 mod gap;
 mod input;
 mod pattern;

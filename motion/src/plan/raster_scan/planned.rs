@@ -1,10 +1,10 @@
 //! A planned raster: its times, and its parts on the clock.
 
-use super::clock::Clock;
 use super::gap::{FlyGap, Step, Timed, lead, timed};
 use super::input::{Order, RasterScan};
 use crate::error::PlanError;
 use crate::plan::check::{in_range, segments_in_range};
+use crate::plan::clock::Clock;
 use crate::plan::fastest::Fastest;
 use crate::segment::{Segment, State};
 

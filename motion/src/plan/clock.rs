@@ -4,7 +4,7 @@ use crate::error::PlanError;
 
 /// Counts ticks, or seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Clock {
+pub(crate) struct Clock {
     tick: Option<Tick>,
     /// How many ticks, at least, lie between two rows.
     coarse: f64,
@@ -22,14 +22,14 @@ const EXACT: f64 = (1_u64 << 53) as f64;
 
 impl Clock {
     /// With a tick, and the shortest time of a row; without a tick, that is the tick.
-    pub(super) fn new(tick: Option<f64>, shortest: f64) -> Self {
+    pub(crate) fn new(tick: Option<f64>, shortest: f64) -> Self {
         let coarse = tick.map_or(1.0, |tick| ceil(shortest / tick).max(1.0));
         let tick = tick.or((shortest > 0.0).then_some(shortest));
         Self { tick: tick.map(Tick::new), coarse }
     }
 
     /// The least count that is no shorter than a time, of as many ticks as rows are apart.
-    pub(super) fn up(&self, time: f64) -> f64 {
+    pub(crate) fn up(&self, time: f64) -> f64 {
         match self.tick {
             Some(tick) => ceil(time / tick.seconds / self.coarse) * self.coarse,
             None => time,
@@ -37,7 +37,7 @@ impl Clock {
     }
 
     /// The largest such count that is no longer than a time.
-    pub(super) fn down(&self, time: f64) -> f64 {
+    pub(crate) fn down(&self, time: f64) -> f64 {
         match self.tick {
             Some(tick) => (time / tick.seconds / self.coarse * (1.0 + ROUNDING)).floor() * self.coarse,
             None => time,
@@ -45,22 +45,22 @@ impl Clock {
     }
 
     /// What makes a count the next longer one; nothing without a tick.
-    pub(super) fn step(&self) -> f64 {
+    pub(crate) fn step(&self) -> f64 {
         if self.tick.is_some() { self.coarse } else { 0.0 }
     }
 
     /// A count in seconds: the number nearest to so many times the decimal that the tick is written as.
-    pub(super) fn seconds(&self, count: f64) -> f64 {
+    pub(crate) fn seconds(&self, count: f64) -> f64 {
         self.tick.map_or(count, |tick| tick.times(count))
     }
 
     /// Below what two counts are one.
-    pub(super) fn same(&self, period: f64) -> f64 {
+    pub(crate) fn same(&self, period: f64) -> f64 {
         if self.tick.is_some() { 0.5 } else { 16.0 * f64::EPSILON * period }
     }
 
     /// Whether all counts of a raster are exact.
-    pub(super) fn check(&self, count: f64) -> Result<(), PlanError> {
+    pub(crate) fn check(&self, count: f64) -> Result<(), PlanError> {
         match self.tick {
             Some(tick) if count >= EXACT => {
                 let remedy = "give a longer tick: the raster has more of them than 2^53";
