@@ -11,12 +11,13 @@ pub mod optimum;
 pub mod overhead;
 pub mod pvt;
 pub mod return_path;
+pub mod s_curve;
 pub mod step_move;
 pub mod turnaround;
 pub mod waypoints;
 
 /// Every kernel, for tools that know none by name.
-pub static ALL: [&Kernel; 83] = [
+pub static ALL: [&Kernel; 95] = [
     &five_segment::by_accelerations::KERNEL,
     &five_segment::ki_without_middle::KERNEL,
     &five_segment::by_times::KERNEL,
@@ -68,6 +69,18 @@ pub static ALL: [&Kernel; 83] = [
     &pvt::min_jerk_segment::KERNEL,
     &pvt::constant_acceleration::KERNEL,
     &return_path::asymmetric_return::KERNEL,
+    &s_curve::ramp::KERNEL,
+    &s_curve::pointed_ramp::KERNEL,
+    &s_curve::full_move::KERNEL,
+    &s_curve::flat_move::KERNEL,
+    &s_curve::fast_move::KERNEL,
+    &s_curve::short_move::KERNEL,
+    &s_curve::flat_rise::KERNEL,
+    &s_curve::pointed_move::KERNEL,
+    &s_curve::trapezoid::KERNEL,
+    &s_curve::triangle_rise::KERNEL,
+    &s_curve::trapezoid_at_rest::KERNEL,
+    &s_curve::triangle_at_rest::KERNEL,
     &step_move::ramp_from_rest::KERNEL,
     &step_move::quarter_move::KERNEL,
     &step_move::continuous_move::KERNEL,

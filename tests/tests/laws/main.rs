@@ -8,6 +8,7 @@ mod optimum;
 mod overhead;
 mod pvt;
 mod return_path;
+mod s_curve;
 mod step_move;
 mod turnaround;
 mod waypoints;

@@ -79,11 +79,18 @@ impl Summary {
         let facts = self.facts.iter().map(|fact| (fact.name.to_owned(), fact.text()));
         let peaks = self.peaks.iter().flat_map(|axis| {
             let named = |what: &str| format!("{what} of {}", axis.name);
+            let jumps = axis.jump.size != 0.0;
+            let jerk =
+                peak_text(axis.jerk, "m/s³") + if jumps { "  (where the acceleration does not jump)" } else { "" };
+            let jump = || format!("{} at {}", with_unit(axis.jump.size.abs(), "m/s²"), with_unit(axis.jump.time, "s"));
             [
-                (named("velocity"), peak_text(axis.velocity, "m/s")),
-                (named("acceleration"), peak_text(axis.acceleration, "m/s²")),
-                (named("jerk"), peak_text(axis.jerk, "m/s³")),
+                Some((named("velocity"), peak_text(axis.velocity, "m/s"))),
+                Some((named("acceleration"), peak_text(axis.acceleration, "m/s²"))),
+                jumps.then(|| (named("jump of acceleration"), jump())),
+                Some((named("jerk"), jerk)),
             ]
+            .into_iter()
+            .flatten()
         });
         let written = self.files.iter().map(|file| {
             let rows = file["rows"].as_u64().map_or_else(String::new, |rows| format!(", {rows} rows"));
@@ -160,5 +167,6 @@ fn axis_json(axis: &AxisPeaks) -> Value {
         "velocity": peak(axis.velocity, "m/s"),
         "acceleration": peak(axis.acceleration, "m/s^2"),
         "jerk": peak(axis.jerk, "m/s^3"),
+        "acceleration_jump": { "value": axis.jump.size, "time": axis.jump.time, "unit": "m/s^2" },
     })
 }
