@@ -24,6 +24,7 @@ mod quantity;
 mod scale;
 mod sheet;
 mod theme;
+mod tool_path;
 mod unit;
 
 pub use chart::{Chart, Series};
@@ -32,4 +33,5 @@ pub use error::PlotError;
 pub use html::{Page, PageCurve, PageLimit, PageMark, PagePanel};
 pub use picture::{Mark, Panel, Picture};
 pub use theme::Theme;
+pub use tool_path::{Colouring, ToolPath};
 pub use unit::with_unit;

@@ -9,7 +9,6 @@ mod milling;
 mod output;
 mod points;
 mod raster_scan;
-mod shown;
 mod step;
 mod summary;
 mod waypoints;

@@ -5,12 +5,12 @@ mod told;
 
 use std::fs::File;
 use std::io::{BufRead, BufReader};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use closedform_motion::plan::milling::gcode::{Dialect, Event, Summary as Job};
-use closedform_motion::plan::milling::{Feed, Milling, Path as Way, Row};
-use closedform_motion::plot::{Panel, Picture};
-use closedform_motion::table::{TableError, save_moves};
+use closedform_motion::plan::milling::{Feed, Milling};
+use closedform_motion::plot::{ToolPath, with_unit};
+use closedform_motion::table::{MoveWriter, TableError, save_moves};
 use indicatif::{ProgressBar, ProgressStyle};
 
 pub use inputs::Inputs;
@@ -18,7 +18,6 @@ pub use inputs::Inputs;
 use crate::error::{Failure, Outcome};
 use crate::input::merged;
 use crate::output::{Output, note};
-use crate::shown::{MOST, shown};
 
 /// Lines that were passed over are told one by one up to this many.
 const TOLD: u64 = 10;
@@ -27,53 +26,58 @@ const TOLD: u64 = 10;
 const HEAD: usize = 1 << 16;
 
 /// What takes the moves as they are timed.
-type Sink<'a> = &'a mut dyn FnMut(&Row) -> Result<(), TableError>;
+type Sink<'a> = &'a mut dyn FnMut(&Event) -> Result<(), TableError>;
 
 /// Times, writes and prints.
 pub fn run(inputs: &Inputs, output: &Output) -> Outcome<()> {
     let inputs = merged(inputs, output.file.as_deref())?;
     output.spares(inputs.points_file.as_deref())?;
     output.spares(inputs.gcode.as_deref())?;
-    let mut kept = Vec::new();
-    let mut keep = |row: &Row| {
-        if output.picture.is_some() && kept.len() < MOST {
-            kept.push(row.cut);
-        }
+    let mut path = ToolPath::new();
+    let mut keep = |event: &Event| match event {
+        Event::Row(row) if output.picture.is_some() => path.add(row),
+        Event::Dwell(time) if output.picture.is_some() => path.dwell(*time),
+        _ => {}
     };
     let ((job, milling), rows) = match &output.table {
-        None => (
-            time(&inputs, &mut |row| {
-                keep(row);
+        None => {
+            let mut sink = |event: &Event| {
+                keep(event);
                 Ok(())
-            })?,
-            None,
-        ),
-        Some(path) => {
-            let run = |writer: &mut closedform_motion::table::MoveWriter| {
-                let job = time(&inputs, &mut |row| {
-                    keep(row);
-                    writer.push(row)
-                })?;
-                Ok::<_, Failure>((job, Some(writer.rows())))
             };
-            save_moves(path, run)?
+            (time(&inputs, &mut sink)?, None)
         }
+        Some(path) => save_moves(path, |writer: &mut MoveWriter| {
+            let mut sink = |event: &Event| {
+                keep(event);
+                if let Event::Row(row) = event { writer.push(row) } else { Ok(()) }
+            };
+            let job = time(&inputs, &mut sink)?;
+            Ok::<_, Failure>((job, Some(writer.rows())))
+        })?,
     };
     let mut summary = told::summary(&job, &milling);
-    if let (Some(path), rows) = (&output.table, rows) {
+    if let Some(path) = &output.table {
         summary.file(path, rows);
     }
-    if output.picture.is_some() {
-        let motion = shown(&milling, &kept)?;
-        let title =
-            if job.moves > MOST as u64 { format!("Milling: the first {MOST} moves") } else { "Milling".to_owned() };
-        let panels = [Panel::Path, Panel::Position, Panel::Velocity, Panel::Acceleration];
-        let has_arcs = kept.iter().any(|cut| matches!(cut.path, Way::Arc(_)));
-        let note =
-            if has_arcs { "with constant acceleration; arcs as their chords" } else { "with constant acceleration" };
-        output.picture(&mut summary, Picture::new(&motion).title(title).note(note).panels(&panels))?;
-    }
+    draw(&inputs, output, &path, &job, &milling)?.iter().for_each(|path| summary.file(path, None));
     output.print(&summary)
+}
+
+/// The picture, if one is asked for, and where it is then.
+fn draw(inputs: &Inputs, output: &Output, path: &ToolPath, job: &Job, milling: &Milling) -> Outcome<Option<PathBuf>> {
+    let Some(file) = &output.picture else { return Ok(None) };
+    let title =
+        inputs.gcode.as_deref().and_then(Path::file_name).map_or("Milling".into(), |name| name.to_string_lossy());
+    let least = if job.notices > 0 { "at least " } else { "" };
+    let note = format!("{} moves in {least}{}, {}", job.moves, with_unit(job.time, "s"), milling.model().name());
+    let is_page = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html"));
+    let drawn = match is_page {
+        true => path.page(&title, &note, output.theme()).and_then(|page| page.save(file)),
+        false => path.draw(inputs.colouring(), &title, &note, output.theme()).and_then(|drawing| drawing.save(file)),
+    };
+    drawn.map_err(|error| Failure::from(error).at(file))?;
+    Ok(Some(file.clone()))
 }
 
 fn time(inputs: &Inputs, sink: Sink) -> Outcome<(Job, Milling)> {
@@ -95,7 +99,7 @@ fn program(path: &Path, inputs: &Inputs, sink: Sink) -> Outcome<(Job, Milling)> 
     let bar = ProgressBar::new(size).with_style(style());
     let (mut told, mut wrong) = (0, None);
     let job = milling.gcode(input, &reading, |event| match event {
-        Event::Row(row) => wrong = wrong.take().or_else(|| sink(row).err()),
+        Event::Row(_) | Event::Dwell(_) => wrong = wrong.take().or_else(|| sink(&event).err()),
         Event::Progress(progress) => bar.set_position(progress.bytes),
         Event::Notice(notice) => {
             told += 1;
@@ -103,7 +107,7 @@ fn program(path: &Path, inputs: &Inputs, sink: Sink) -> Outcome<(Job, Milling)> 
                 bar.suspend(|| note(&format!("{}: passed over: {notice}", path.display())));
             }
         }
-        Event::Dialect(_) | Event::Dwell(_) => {}
+        Event::Dialect(_) => {}
     });
     bar.finish_and_clear();
     if told > TOLD {
@@ -132,7 +136,7 @@ fn polyline(path: &Path, inputs: &Inputs, sink: Sink) -> Outcome<(Job, Milling)>
     let feed = crate::input::need(inputs.feed, "feed", "the feed of the polyline in mm/s")?;
     let timed = milling.polyline(&points, Feed::Speed(feed))?;
     for row in &timed.rows {
-        sink(row)?;
+        sink(&Event::Row(row))?;
     }
     let length = timed.rows.iter().map(|row| row.length).sum();
     let moves = timed.rows.len() as u64;

@@ -92,7 +92,7 @@ impl Rules {
         if !(1..=MOST_AHEAD).contains(&self.ahead) {
             return wrong("the number of moves ahead", self.ahead as f64, "make it 1 to 65536");
         }
-        if !(self.jerk > 0.0) {
+        if self.jerk.is_nan() || self.jerk <= 0.0 {
             return wrong("the jerk limit", self.jerk, "make it positive, or infinite where there is none");
         }
         Ok(())

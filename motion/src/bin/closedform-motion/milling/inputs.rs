@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use closedform_motion::plan::milling::gcode::{Dialect, DwellUnit, Reading, Unknown};
 use closedform_motion::plan::milling::{Arcs, Corner, Machine, Milling, Model, Rules};
+use closedform_motion::plot::Colouring;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Failure, Outcome};
@@ -35,6 +36,18 @@ enum ModelFlag {
     ExactStop,
     /// The derivation's: from rest to rest in steps of constant speed, up to 29 % too short
     Steps,
+}
+
+/// What the colour of a picture says.
+#[derive(ValueEnum, Debug, Clone, Copy, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum ColourFlag {
+    /// The largest speed of each move
+    Speed,
+    /// The speed that was asked for
+    Feed,
+    /// The height of the tool
+    Z,
 }
 
 /// Which controller a file is for.
@@ -129,12 +142,24 @@ pub struct Inputs {
     /// Leave out lines that begin with `/`
     #[arg(long, num_args = 0..=1, default_missing_value = "true", value_name = "BOOL")]
     block_delete: Option<bool>,
+    /// What the colour of the picture says [default: speed]
+    #[arg(long)]
+    colour: Option<ColourFlag>,
     /// The most lines that loops and sub-programs may repeat [default: 20000000]
     #[arg(long, value_name = "LINES")]
     most_repeated: Option<u64>,
 }
 
 impl Inputs {
+    /// What the colour of a picture says.
+    pub fn colouring(&self) -> Colouring {
+        match self.colour {
+            Some(ColourFlag::Feed) => Colouring::Feed,
+            Some(ColourFlag::Z) => Colouring::Height,
+            Some(ColourFlag::Speed) | None => Colouring::Speed,
+        }
+    }
+
     /// The dialect that is asked for.
     pub fn dialect(&self) -> Option<Dialect> {
         self.dialect.map(|dialect| match dialect {

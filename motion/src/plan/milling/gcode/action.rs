@@ -19,7 +19,7 @@ pub(super) enum Action {
     /// A probe has come to the end of its way, and has touched something there or not.
     Probed(bool),
     /// A limit of a printer: the number of its code and its words.
-    Limit { code: u32, words: [Option<f64>; 26] },
+    Limit { code: u32, words: Box<[Option<f64>; 26]> },
     /// What was passed over, or takes a time that nobody knows.
     Tell(Problem),
 }

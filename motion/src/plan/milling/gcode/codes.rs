@@ -138,7 +138,7 @@ impl General {
             382..=385 => Self::Motion(Motion::Probe),
             // a skip signal ends it early, and is a probe
             310 => Self::Motion(Motion::Probe),
-            730 | 740 | 810..=890 if code % 10 == 0 => Self::Motion(Motion::Cycle(code / 10)),
+            730 | 740 | 810..=890 if code.is_multiple_of(10) => Self::Motion(Motion::Cycle(code / 10)),
             40 => Self::Dwell,
             70 => Self::Diameter(true),
             80 => Self::Diameter(false),

@@ -8,14 +8,13 @@
 //! over, as [`Reading::unknown`] says. Passed over means: no move, but its known modal codes count, unless the line could
 //! not be read at all.
 //!
-//! Why this is no library: of the crates that read G-code (`gcode`, `g-code`, `async-gcode`, `nom-gcode`, `gcode-nom`) none
-//! evaluates. They give words with numbers; a parameter, an expression or an O-word is an error to all but `g-code`, which
-//! reads expressions into a tree of a whole file, without O-words. What a word means here is only known when a line is
-//! executed, over and over in a loop, and free text, checksums and exponents depend on the dialect: a parser in front of it
-//! would have to be undone.
+//! Why no library reads it: of the crates that parse G-code, `gcode`, `g-code`, `nom-gcode` and `gcode-nom` know neither
+//! parameters nor expressions (`g-code` lists both as to be done), and `async-gcode`, which parses them, evaluates nothing
+//! and knows no O-words. A line means something only when it is executed, over and over in a loop, and free text, checksums
+//! and exponents depend on the dialect: what a parser in front of it gave would have to be undone.
 //!
 //! The stages, each a file: `text` (a line without blanks, comments and free text), `statement` (what says which lines come
-//! next), `flow` with `source` and `library` (the order of lines), `expression` with `parameters`, `block` (codes and words),
+//! next), `flow` with `loops`, `programs`, `source` and `library` (the order of lines), `expression` with `parameters`, `block` (codes and words),
 //! `modal` with `state`, `offsets` and `table` (what stays in force), `motion`, `arc`, `cycle`, `curve` (moves), `reader`
 //! (all of it, and the clock), `totals`.
 
@@ -31,11 +30,13 @@ mod error;
 mod expression;
 mod flow;
 mod library;
+mod loops;
 mod modal;
 mod motion;
 mod offsets;
 mod options;
 mod parameters;
+mod programs;
 mod reader;
 mod source;
 mod state;

@@ -117,7 +117,7 @@ impl Modal {
                     actions.extend([Action::Rest, untimed(&name())]);
                     asked.is_untimed = true;
                     if *code == 280 {
-                        self.to_switches(block);
+                        self.home_switches(block);
                     }
                 }
                 General::Compensation if !self.state.modes.is_compensated => {
@@ -171,7 +171,7 @@ impl Modal {
     }
 
     /// To its switches a printer goes in a time that nobody knows; the axes that it names, or all, are at 0 then.
-    fn to_switches(&mut self, block: &Block) {
+    fn home_switches(&mut self, block: &Block) {
         let named = |axis: &usize| block.word(LETTERS[*axis]).is_some();
         let is_any = (0..3).any(|axis| named(&axis));
         for axis in (0..3).filter(|axis| !is_any || named(axis)) {
@@ -245,7 +245,7 @@ impl Modal {
                 Miscellaneous::Call => end = End::Call { arguments: false },
                 Miscellaneous::Return => end = End::Return,
                 Miscellaneous::Modes(saving) => self.save(saving),
-                Miscellaneous::Limit(code) => actions.push(Action::Limit { code, words: *block.words() }),
+                Miscellaneous::Limit(code) => actions.push(Action::Limit { code, words: Box::new(*block.words()) }),
                 Miscellaneous::Rest => actions.push(Action::Rest),
                 Miscellaneous::Untimed => actions.extend([Action::Rest, untimed(&name())]),
                 Miscellaneous::Quiet => {}

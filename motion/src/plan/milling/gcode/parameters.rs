@@ -120,3 +120,35 @@ pub(super) fn plain(name: &str) -> String {
 fn argument(number: u32) -> Option<usize> {
     (1..=ARGUMENTS as u32).contains(&number).then(|| number as usize - 1)
 }
+
+/// The parameters of G65 by their letters, as Fanuc has them.
+pub(super) fn arguments(words: &[Option<f64>; 26]) -> [f64; ARGUMENTS] {
+    const NUMBERS: [(char, usize); 21] = [
+        ('A', 1),
+        ('B', 2),
+        ('C', 3),
+        ('I', 4),
+        ('J', 5),
+        ('K', 6),
+        ('D', 7),
+        ('E', 8),
+        ('F', 9),
+        ('H', 11),
+        ('M', 13),
+        ('Q', 17),
+        ('R', 18),
+        ('S', 19),
+        ('T', 20),
+        ('U', 21),
+        ('V', 22),
+        ('W', 23),
+        ('X', 24),
+        ('Y', 25),
+        ('Z', 26),
+    ];
+    let mut arguments = [0.0; ARGUMENTS];
+    for (letter, number) in NUMBERS {
+        arguments[number - 1] = words[usize::from(letter as u8 - b'A')].unwrap_or(0.0);
+    }
+    arguments
+}

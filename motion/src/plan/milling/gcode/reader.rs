@@ -11,7 +11,7 @@ use super::error::{GcodeError, Notice, Problem};
 use super::flow::{Flow, Next};
 use super::modal::{End, Modal};
 use super::options::{Reading, Unknown};
-use super::parameters::{ARGUMENTS, Parameters};
+use super::parameters::{self, Parameters};
 use super::statement::{Statement, number};
 use super::text::{Kind, Text};
 use super::totals::{Summary, Totals};
@@ -261,7 +261,7 @@ impl<R: BufRead, F: FnMut(Event<'_>)> Program<'_, R, F> {
             (None, 10_000..) if self.dialect == Dialect::Fanuc => (whole / 10_000, whole % 10_000),
             (None, _) => (1, whole),
         };
-        let arguments = with_arguments.then(|| arguments(self.block.words()));
+        let arguments = with_arguments.then(|| parameters::arguments(self.block.words()));
         let label = number(whole.to_string().as_bytes());
         // Controllers keep sub-programs of M98 in a memory of their own.
         if !self.flow.knows(&label)? {
@@ -385,36 +385,4 @@ impl<R: BufRead, F: FnMut(Event<'_>)> Program<'_, R, F> {
             (self.on_event)(Event::Notice(&Notice { line: self.flow.line, problem }));
         }
     }
-}
-
-/// The parameters of G65 by their letters, as Fanuc has them.
-fn arguments(words: &[Option<f64>; 26]) -> [f64; ARGUMENTS] {
-    const NUMBERS: [(char, usize); 21] = [
-        ('A', 1),
-        ('B', 2),
-        ('C', 3),
-        ('I', 4),
-        ('J', 5),
-        ('K', 6),
-        ('D', 7),
-        ('E', 8),
-        ('F', 9),
-        ('H', 11),
-        ('M', 13),
-        ('Q', 17),
-        ('R', 18),
-        ('S', 19),
-        ('T', 20),
-        ('U', 21),
-        ('V', 22),
-        ('W', 23),
-        ('X', 24),
-        ('Y', 25),
-        ('Z', 26),
-    ];
-    let mut arguments = [0.0; ARGUMENTS];
-    for (letter, number) in NUMBERS {
-        arguments[number - 1] = words[usize::from(letter as u8 - b'A')].unwrap_or(0.0);
-    }
-    arguments
 }

@@ -24,8 +24,8 @@ pub(super) fn set(state: &mut State, block: &Block) -> Result<(), Problem> {
         // the tool table, from a position or from a number
         1 | 10..=13 => {
             let mut tool = state.tools.get(&(number as u32)).copied().unwrap_or_default();
-            for axis in 0..AXES {
-                if let Some(value) = block.word(LETTERS[axis]) {
+            for (axis, letter) in LETTERS.into_iter().enumerate() {
+                if let Some(value) = block.word(letter) {
                     let given = value * state.unit_of(axis);
                     let is_measured = matches!(what as u32, 10 | 11);
                     let here = state.position[axis] - state.offsets.sum(axis) + state.offsets.tool[axis];
@@ -43,8 +43,8 @@ pub(super) fn set(state: &mut State, block: &Block) -> Result<(), Problem> {
 
 fn set_system(state: &mut State, system: usize, from_position: bool, block: &Block) {
     let relative = !state.modes.absolute && !from_position;
-    for axis in 0..AXES {
-        let Some(value) = block.word(LETTERS[axis]) else { continue };
+    for (axis, letter) in LETTERS.into_iter().enumerate() {
+        let Some(value) = block.word(letter) else { continue };
         let given = value * state.unit_of(axis);
         let other = state.offsets.sum(axis) - state.offsets.system().origin[axis];
         let origin = &mut state.offsets.systems[system].origin[axis];
@@ -62,8 +62,8 @@ fn set_system(state: &mut State, system: usize, from_position: bool, block: &Blo
 /// G92, and G52.
 pub(super) fn set_position(state: &mut State, is_local: bool, block: &Block) {
     let here = state.program_position();
-    for axis in 0..AXES {
-        let Some(value) = block.word(LETTERS[axis]) else { continue };
+    for (axis, letter) in LETTERS.into_iter().enumerate() {
+        let Some(value) = block.word(letter) else { continue };
         let given = value * state.unit_of(axis);
         if is_local {
             state.offsets.local[axis] = given;
@@ -97,8 +97,8 @@ pub(super) fn tool_length(state: &mut State, length: Length, block: &mut Block) 
 
 fn given(state: &State, block: &mut Block) -> Axes {
     let mut axes = state.offsets.tool;
-    for axis in 0..AXES {
-        if let Some(value) = block.remove(LETTERS[axis]) {
+    for (axis, letter) in LETTERS.into_iter().enumerate() {
+        if let Some(value) = block.remove(letter) {
             axes[axis] = value * state.unit_of(axis);
         }
     }
