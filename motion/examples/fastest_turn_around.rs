@@ -6,11 +6,11 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use closedform_motion::PlanError;
-use closedform_motion::plan::scan_skip::{Choice, ScanSkip};
+use closedform_motion::plan::derived_raster::{Choice, DerivedRaster};
 use closedform_motion::plot::{Chart, Series, Theme};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let scan = ScanSkip::new(0.1, 50.0, 2e-4, 2.0, 5e-3, 2);
+    let scan = DerivedRaster::new(0.1, 50.0, 2e-4, 2.0, 5e-3, 2);
     let fastest = scan.plan()?;
     println!(
         "least overhead {:.4} ms, with v1_diff {:.3} mm/s",
@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // The same with given v1_diff, each with its best t_in: none is faster.
     let overhead =
-        |v1_diff: f64| Ok::<f64, PlanError>(ScanSkip { choice: Choice::V1Diff(v1_diff), ..scan }.plan()?.overhead);
+        |v1_diff: f64| Ok::<f64, PlanError>(DerivedRaster { choice: Choice::V1Diff(v1_diff), ..scan }.plan()?.overhead);
     let given: Vec<f64> = (1..=60).map(|percent| 1e-3 * f64::from(percent)).collect();
     let points =
         given.iter().map(|v| Ok((1e3 * v, 1e3 * overhead(*v)?))).collect::<Result<Vec<_>, Box<dyn Error>>>()?;

@@ -5,13 +5,13 @@
 use std::error::Error;
 use std::path::PathBuf;
 
-use closedform_motion::plan::scan_skip::ScanSkip;
+use closedform_motion::plan::derived_raster::DerivedRaster;
 use closedform_motion::plot::Picture;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let scan = ScanSkip {
+    let scan = DerivedRaster {
         tick: Some(1e-4), // all times are multiples of 0.1 ms
-        ..ScanSkip::new(
+        ..DerivedRaster::new(
             0.1,  // m/s on the line
             50.0, // m/s², fly axis
             2e-4, // m from line to line

@@ -27,6 +27,18 @@ pub enum PlanError {
         /// What to change.
         remedy: &'static str,
     },
+    /// A jump of the acceleration, where the jerk is limited.
+    #[error("jerk is limited to {limit:?} m/s^3, and the acceleration jumps by {jump:?} m/s^2 at {time:?} s: {remedy}")]
+    Jump {
+        /// Of the jerk, in m/s³.
+        limit: f64,
+        /// Of the acceleration, in m/s².
+        jump: f64,
+        /// When, in s.
+        time: f64,
+        /// What to change.
+        remedy: &'static str,
+    },
     /// One of several inputs that no plan can use.
     #[error("{item} {index}: {name} is {value}: {remedy}")]
     Item {

@@ -2,7 +2,8 @@
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use tempfile::{Builder, NamedTempFile};
@@ -15,6 +16,34 @@ const CHOSEN: usize = 6;
 /// So long after it was made, a temporary file in use is certainly locked.
 const YOUNG: Duration = Duration::from_secs(60);
 
+/// The temporary files that are being written.
+static BEGUN: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Removes the files that are being written: for a command that is interrupted, and ends.
+#[cfg(feature = "command")]
+pub fn remove_begun() {
+    let begun = BEGUN.lock().unwrap_or_else(PoisonError::into_inner);
+    for path in begun.iter() {
+        _ = fs::remove_file(path);
+    }
+}
+
+/// One of them, as long as it lives.
+struct Begun(PathBuf);
+
+impl Begun {
+    fn new(path: &Path) -> Self {
+        BEGUN.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
+        Self(path.to_owned())
+    }
+}
+
+impl Drop for Begun {
+    fn drop(&mut self) {
+        BEGUN.lock().unwrap_or_else(PoisonError::into_inner).retain(|path| *path != self.0);
+    }
+}
+
 /// Writes a file beside its place and moves it there when all is written: a reader sees the old file or the new one, and
 /// where `write` fails, the old one stays.
 pub(crate) fn write_whole<T, E: From<io::Error>>(
@@ -22,6 +51,7 @@ pub(crate) fn write_whole<T, E: From<io::Error>>(
     write: impl FnOnce(&mut BufWriter<&mut File>) -> Result<T, E>,
 ) -> Result<T, E> {
     let mut file = beside(path)?;
+    let _begun = Begun::new(file.path());
     let mut out = BufWriter::new(file.as_file_mut());
     let result = write(&mut out)?;
     out.flush()?;

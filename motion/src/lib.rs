@@ -19,8 +19,11 @@ pub mod table;
 
 pub use error::PlanError;
 pub use extremes::{Extremes, Extremum, Quantity};
+#[cfg(feature = "command")]
+#[doc(hidden)]
+pub use file::remove_begun;
 pub use motion::{Axis, Knot, Limits, Motion};
 pub use peaks::{AxisPeaks, Peak};
 pub use profile::Profile;
 pub use segment::{Sample, Segment, State};
-pub use smoothness::Smoothness;
+pub use smoothness::{Jump, Smoothness};

@@ -2,6 +2,7 @@
 
 use crate::extremes::{Extremum, Quantity};
 use crate::motion::{Axis, Motion};
+use crate::smoothness::Jump;
 
 /// The largest magnitude of a quantity, and what it may be.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,8 +30,10 @@ pub struct AxisPeaks {
     pub velocity: Peak,
     /// In m/s².
     pub acceleration: Peak,
-    /// In m/s³.
+    /// In m/s³, where the acceleration does not jump.
     pub jerk: Peak,
+    /// The largest jump of the acceleration, in m/s²: between segments, and from and to rest at both ends.
+    pub jump: Jump,
 }
 
 impl Axis {
@@ -43,6 +46,7 @@ impl Axis {
             velocity: peak(Quantity::Velocity, self.limits.velocity),
             acceleration: peak(Quantity::Acceleration, self.limits.acceleration),
             jerk: peak(Quantity::Jerk, self.limits.jerk),
+            jump: self.profile.acceleration_jump(),
         }
     }
 }

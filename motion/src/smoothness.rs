@@ -1,7 +1,7 @@
 //! Smoothness: which derivatives of a profile jump from segment to segment, and how well its segments close.
 
 use crate::profile::Profile;
-use crate::segment::State;
+use crate::segment::{Segment, State};
 
 /// A step of a quantity between two segments.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -11,6 +11,10 @@ pub struct Jump {
     /// When, in s.
     pub time: f64,
 }
+
+/// What kernels (at most 17 ulp) and the cut of an acceleration at its limit may leave between two accelerations that are
+/// meant to be one.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 impl Jump {
     fn or_larger(self, before: f64, after: f64, time: f64) -> Self {
@@ -44,6 +48,21 @@ impl Smoothness {
 }
 
 impl Profile {
+    /// The largest jump of the acceleration, with what the axis does before and after counted as none; none where it is
+    /// rounding.
+    #[must_use]
+    pub fn acceleration_jump(&self) -> Jump {
+        let accelerations = |segment: &Segment| [segment.start.acceleration.abs(), segment.end.acceleration.abs()];
+        let largest = self.segments().iter().flat_map(accelerations).fold(0.0, f64::max);
+        let inner = self.smoothness().acceleration;
+        let found = inner.or_larger(0.0, self.start().acceleration, 0.0).or_larger(
+            self.end().acceleration,
+            0.0,
+            self.duration(),
+        );
+        if found.size.abs() <= ROUNDING * largest { Jump::default() } else { found }
+    }
+
     /// Jumps between segments, and how well segments close.
     #[must_use]
     pub fn smoothness(&self) -> Smoothness {

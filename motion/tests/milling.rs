@@ -1,7 +1,7 @@
 //! Milling times against brute force: every axis, every step, by bisection; and their continuous limit.
 
 use closedform_motion::PlanError;
-use closedform_motion::plan::milling::{Arc, Feed, Job, Machine, Milling, Model, Move, Path, Row};
+use closedform_motion::plan::milling::{Arc, Feed, Job, Machine, Milling, Model, Move, Path, Row, Timer};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use rug::Float;
@@ -10,7 +10,7 @@ const EPSILON: f64 = f64::EPSILON;
 const FREE: [f64; 3] = [f64::INFINITY; 3];
 
 fn machine(acceleration: [f64; 3]) -> Machine {
-    Machine { acceleration, speed: FREE, rapid: f64::INFINITY, feed: f64::INFINITY }
+    Machine { acceleration, speed: FREE, rapid: f64::INFINITY, feed: f64::INFINITY, ..Machine::default() }
 }
 
 fn steps(machine: Machine, length: f64) -> Milling {
@@ -18,7 +18,7 @@ fn steps(machine: Machine, length: f64) -> Milling {
 }
 
 fn continuous(machine: Machine) -> Milling {
-    Milling::new(machine, Model::Continuous).unwrap()
+    Milling::new(machine, Model::ExactStop).unwrap()
 }
 
 fn cut(milling: &Milling, way: [f64; 3], feed: f64) -> Row {
@@ -252,27 +252,34 @@ fn a_million_cuts_lose_no_digits() {
     let milling = steps(machine([500.0; 3]), 1.0);
     let mut timer = milling.timer();
     let (from, to) = ([0.0; 3], [0.1, 0.0, 0.0]);
-    let one = Move { line: 0, from, to, path: Path::Straight, feed: Feed::Speed(7.0) };
-    let time = timer.add(&one).unwrap().time;
-    for _ in 1..1_000_000 {
+    let one = Move::straight(from, to, Feed::Speed(7.0));
+    let add = |timer: &mut Timer| {
         timer.add(&one).unwrap();
+        timer.next_row().unwrap()
+    };
+    let time = add(&mut timer).time;
+    for _ in 1..1_000_000 {
+        add(&mut timer);
     }
     let exact: Float = Float::with_val(100, time) * 1_000_000_u32;
     assert_eq!(timer.time(), exact.to_f64());
-    timer.dwell(2.0);
-    assert_eq!(timer.add(&one).unwrap().number, 1_000_001);
+    timer.dwell(2.0).unwrap();
+    assert_eq!(add(&mut timer).number, 1_000_001);
 }
 
 fn arc(milling: &Milling, arc: Arc, feed: Feed) -> Row {
-    let cut = Move { line: 0, from: [0.0; 3], to: [0.0; 3], path: Path::Arc(arc), feed };
-    milling.timer().add(&cut).unwrap()
+    let mut timer = milling.timer();
+    timer.add(&Move { path: Path::Arc(arc), ..Move::straight([0.0; 3], [0.0; 3], feed) }).unwrap();
+    timer.next_row().unwrap()
 }
 
 #[test]
 fn on_an_arc_no_axis_exceeds_its_limits() {
     let limits = Machine { speed: [30.0, 50.0, 4.0], ..machine([500.0, 300.0, 200.0]) };
     for (radius, height, axis) in [(10.0, 0.0, 2), (0.5, 0.0, 2), (1000.0, 0.0, 1), (5.0, 30.0, 2), (5.0, 1.0, 0)] {
-        let whole = Arc { radius, angle: std::f64::consts::TAU, height, axis };
+        let mut centre = [0.0; 3];
+        centre[(axis + 1) % 3] = radius;
+        let whole = Arc { radius, angle: std::f64::consts::TAU, height, axis, centre, clockwise: false };
         let row = arc(&continuous(limits), whole, Feed::Speed(100.0));
         let length = (radius * whole.angle).hypot(height);
         assert!((row.length - length).abs() < 4.0 * EPSILON * length);
@@ -296,7 +303,8 @@ fn on_an_arc_no_axis_exceeds_its_limits() {
         assert!(arc(&steps(limits, 1.0), whole, Feed::Speed(100.0)).time <= row.time * (1.0 + 8.0 * EPSILON));
     }
     // An arc of no angle in its plane is a straight move along its axis.
-    let straight = Arc { radius: 5.0, angle: 0.0, height: 7.0, axis: 2 };
+    let centre = [5.0, 0.0, 0.0];
+    let straight = Arc { radius: 5.0, angle: 0.0, height: 7.0, axis: 2, centre, clockwise: false };
     let milling = continuous(limits);
     assert_eq!(arc(&milling, straight, Feed::Rapid).time, cut(&milling, [0.0, 0.0, 7.0], f64::INFINITY).time);
 }
@@ -317,7 +325,7 @@ fn bad_input_is_named() {
         let text = message(Milling::new(Machine::default(), Model::Steps { length: bad }));
         assert_eq!(text, format!("step is {bad}: {positive}"));
     }
-    let text = make(|m| m.acceleration[1] = 0.0, Model::Continuous);
+    let text = make(|m| m.acceleration[1] = 0.0, Model::ExactStop);
     assert_eq!(text, format!("axis 1: acceleration limit is 0: {positive}"));
     let positive = "make it positive, or infinite where there is none";
     assert_eq!(make(|m| m.speed[2] = -1.0, Model::default()), format!("axis 2: speed limit is -1: {positive}"));
@@ -347,7 +355,7 @@ fn any_numbers_give_a_time_or_an_error() {
     let three = || [decade(), decade(), decade()];
     runner
         .run(&(three(), three(), decade(), decade()), |(way, acceleration, feed, step)| {
-            for model in [Model::Continuous, Model::Steps { length: step }] {
+            for model in [Model::ExactStop, Model::Steps { length: step }] {
                 let milling = Milling::new(machine(acceleration), model).unwrap();
                 let job: Result<Job, PlanError> = milling.polyline(&[[0.0; 3], way], Feed::Speed(feed));
                 if let Ok(job) = job {

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use closedform_motion::plan::scan_skip::ScanSkip;
+use closedform_motion::plan::derived_raster::DerivedRaster;
 use closedform_motion::table::{
     Heading, TableError, Timing, knots, load, read_csv, read_json, save, write_csv, write_json,
 };
@@ -176,7 +176,7 @@ fn a_quartic_needs_as_many_rows_as_its_bound_says() {
 
 #[test]
 fn a_raster_streams_into_a_table_and_plays() {
-    let plan = ScanSkip::new(0.1, 50.0, 2e-4, 2.0, 5e-3, 5).plan().expect("a plan");
+    let plan = DerivedRaster::new(0.1, 50.0, 2e-4, 2.0, 5e-3, 5).plan().expect("a plan");
     let (folder, heading) = (tempfile::tempdir().expect("a folder"), heading(&["fly", "step"], Timing::Absolute));
     for name in ["raster.csv", "raster.json"] {
         let path = folder.path().join(name);

@@ -141,7 +141,7 @@ const CIRCLES: [(&str, &[&str], &str); 30] = [
     ("motion/src/plan/milling", &["arc.rs", "cut.rs", "row.rs"], TYPES),
     ("motion/src/plan/milling/gcode", &["mod.rs", "modal.rs", "reader.rs"], WHOLE),
     ("motion/src/plan/milling", &["mod.rs", "timer.rs"], WHOLE),
-    ("motion/src/plan/scan_skip", &["choose.rs", "mod.rs", "quantise.rs", "turn.rs"], WHOLE),
+    ("motion/src/plan/derived_raster", &["choose.rs", "mod.rs", "quantise.rs", "turn.rs"], WHOLE),
     ("motion/src/plan/waypoints", &["four.rs", "input.rs", "mod.rs", "spline.rs"], WHOLE),
     ("motion/src/plot", &["drawing.rs", "file.rs"], TYPES),
     ("motion/src/plot", &["path.rs", "picture.rs"], TYPES),

@@ -8,7 +8,7 @@ use closedform_tests::scan::{Row, rows};
 use closedform_tests::{parallel, worksheets};
 
 /// Functions that no row is about, by their names or how these begin, and why they are shipped.
-const NOT_PRINTED: [(&str, &str); 22] = [
+const NOT_PRINTED: [(&str, &str); 23] = [
     ("Ki_c", "the cell of 4.4.1 prints it for another braking, where it is wrong"),
     ("dd1Out_dtIn", "II 1.3 prints the other derivative of the same distance"),
     ("mt_constant_speed", "the limit of short steps; the scan prints the steps"),
@@ -19,6 +19,7 @@ const NOT_PRINTED: [(&str, &str); 22] = [
     ("quartic_abcd", "%o262 has all four roots by radicals, this is the positive one"),
     ("rscn_tIn_of_tOut", "%o202 has it put into the overhead"),
     ("s5SX_", "section 3 solved for the accelerations; the scan solves it for the times"),
+    ("sc_", "no scan limits the jerk"),
     ("tIn_tE0", "%o259 in the variables of section 4.6"),
     ("wp_a_c10", "0.1 prints it within S1(t)"),
     ("wp_a_c11", "0.1 prints it within S1(t)"),

@@ -35,6 +35,11 @@ fn check(axis: &Axis) -> Result<(), PlanError> {
             return Err(PlanError::Limit { name, limit, needed, unit, remedy });
         }
     }
+    if axis.limits.jerk.is_finite() && peaks.jump.size != 0.0 {
+        let (limit, jump, time) = (axis.limits.jerk, peaks.jump.size.abs(), peaks.jump.time);
+        let remedy = "no jerk makes a jump: leave out the limit of the jerk, or take a shape without jumps";
+        return Err(PlanError::Jump { limit, jump, time, remedy });
+    }
     Ok(())
 }
 

@@ -72,6 +72,7 @@ impl Chart {
             meetings: Vec::new(),
             lines: self.series.iter().enumerate().map(line).collect(),
             dots: Vec::new(),
+            arrows: Vec::new(),
             labels: Vec::new(),
         });
         Drawing::new(sheet, &self.title)

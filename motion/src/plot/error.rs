@@ -10,7 +10,7 @@ pub enum PlotError {
         what: &'static str,
     },
     /// The name of the file does not say what to write.
-    #[error("{path}: a picture is a file that ends in .svg or .png")]
+    #[error("{path}: a picture is a file that ends in .svg, .png or .html")]
     Format {
         /// As given.
         path: String,

@@ -48,6 +48,7 @@ pub(super) struct Frame {
     pub meetings: Vec<f64>,
     pub lines: Vec<Line>,
     pub dots: Vec<Dot>,
+    pub arrows: Vec<Arrow>,
     pub labels: Vec<Label>,
 }
 
@@ -58,6 +59,14 @@ pub(super) struct Line {
     pub colour: &'static str,
     pub width: f64,
     pub is_dashed: bool,
+}
+
+/// The head of an arrow on a curve: the middle of it, and where it points, as a step of pixels to the right and down.
+#[derive(Debug, Clone)]
+pub(super) struct Arrow {
+    pub at: (f64, f64),
+    pub step: (f64, f64),
+    pub colour: &'static str,
 }
 
 /// A ring, filled.
@@ -148,6 +157,14 @@ impl Frame {
     }
 
     fn points<DB: DrawingBackend>(&self, chart: &mut Chart<DB>, canvas: &Canvas) -> Outcome<DB> {
+        for arrow in &self.arrows {
+            let (x, y) = arrow.step;
+            let corner =
+                |along: f64, aside: f64| (canvas.length(along * x - aside * y), canvas.length(along * y + aside * x));
+            let corners = vec![corner(6.0, 0.0), corner(-5.0, 4.5), corner(-5.0, -4.5)];
+            let style = rgb(arrow.colour).filled();
+            chart.draw_series([EmptyElement::at(arrow.at) + Polygon::new(corners, style)])?;
+        }
         for Dot { at, radius, ring: (colour, width), fill } in &self.dots {
             let disc = |radius: f64, colour| Circle::new(*at, canvas.length(radius), rgb(colour).filled());
             chart.draw_series([disc(radius + width / 2.0, colour), disc(radius - width / 2.0, fill)])?;

@@ -45,6 +45,11 @@ pub(super) fn limits(quantity: Quantity, axes: &[(usize, &Axis)], theme: &Theme)
 }
 
 impl Limit {
+    /// Of the axis that has it, or muted.
+    pub(super) fn colour(&self) -> &'static str {
+        self.colour
+    }
+
     /// On which sides it is drawn, for values in a range.
     pub(super) fn sides(&self, (low, high): (f64, f64)) -> [bool; 2] {
         let largest = high.max(-low);

@@ -4,7 +4,7 @@ use plotters::style::text_anchor::HPos;
 
 use super::canvas::Font;
 use super::error::PlotError;
-use super::frame::{Dot, Frame, INSIDE, Label, Line};
+use super::frame::{Arrow, Dot, Frame, INSIDE, Label, Line};
 use super::picture::{Mark, OFF, Picture};
 use super::scale::{Scale, widened};
 use super::unit::{Unit, axis_unit};
@@ -23,30 +23,59 @@ const TICKS: f64 = 38.0;
 /// Points closer than so many pixels are drawn as one.
 const NEAR: f64 = 0.3;
 
+/// Pixels along the path from one arrow to the next.
+const ARROWS: f64 = 150.0;
+
 /// Size of the names of marks.
 const NAME: f64 = 14.5;
 
-/// The panel.
-pub(super) fn frame(picture: &Picture) -> Result<Frame, PlotError> {
-    let [first, second] = [0, 1].map(|index| &picture.motion.axes()[index]);
+/// The path in the units of a panel.
+pub(super) struct Scaled {
+    pub title: String,
+    pub below: String,
+    pub names: [String; 2],
+    pub units: [Unit; 2],
+    pub points: Vec<(f64, f64)>,
+    pub is_stretched: bool,
+    layout: Layout,
+}
+
+/// The path of the two axes that it is drawn for.
+pub(super) fn scaled(picture: &Picture) -> Scaled {
+    let [first, second] = picture.plane().map(|index| &picture.motion.axes()[index]);
     let path = points(first, second, picture.motion.times());
     let (across, up) = ranges(&path, &picture.marks);
     let units = units(across, up);
     let (across, up) = (padded(across, &units[0]), padded(up, &units[1]));
     let layout = Layout::new(across, up, (units[0].size, units[1].size));
-    let scaled = |(x, y): &(f64, f64)| (x / units[0].size, y / units[1].size);
-    let path = layout.visible(&path.iter().map(scaled).collect::<Vec<_>>());
     let up_unit = if layout.is_stretched { format!(" ({})", units[1].name) } else { String::new() };
-    let mut frame = Frame {
+    Scaled {
         title: format!("Path: {}{up_unit} over {}", second.name, first.name),
+        below: format!("{} ({})", first.name, units[0].name),
+        names: [first.name.clone(), second.name.clone()],
+        points: path.iter().map(|(x, y)| (x / units[0].size, y / units[1].size)).collect(),
+        is_stretched: layout.is_stretched,
+        units,
+        layout,
+    }
+}
+
+/// The panel.
+pub(super) fn frame(picture: &Picture) -> Result<Frame, PlotError> {
+    let Scaled { title, below, units, points, layout, .. } = scaled(picture);
+    let scaled = |(x, y): &(f64, f64)| (x / units[0].size, y / units[1].size);
+    let path = layout.visible(&points);
+    let mut frame = Frame {
+        title,
         note: if layout.is_stretched { "not to one scale".to_owned() } else { String::new() },
         height: layout.height,
         x: Scale::linear(layout.across, 7),
         y: Scale::linear(layout.up, (layout.height / TICKS) as usize),
-        below: Some(format!("{} ({})", first.name, units[0].name)),
+        below: Some(below),
         meetings: Vec::new(),
         lines: Vec::new(),
         dots: if picture.marks.is_empty() { ends(picture, &path) } else { Vec::new() },
+        arrows: arrows(&layout, &path, picture.theme.text),
         labels: Vec::new(),
     };
     for mark in &picture.marks {
@@ -168,6 +197,24 @@ fn distance(point: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
     let length = along.0.hypot(along.1).max(f64::MIN_POSITIVE);
     let share = ((off.0 / length) * (along.0 / length) + (off.1 / length) * (along.1 / length)).clamp(0.0, 1.0);
     (off.0 - share * along.0).hypot(off.1 - share * along.1)
+}
+
+/// Where it goes: the heads of arrows, one on so many pixels of the path, in the middle of what is straight.
+fn arrows(layout: &Layout, path: &[(f64, f64)], colour: &'static str) -> Vec<Arrow> {
+    let mut found = Vec::new();
+    let mut run = ARROWS / 2.0;
+    for pair in path.windows(2) {
+        let [(x0, y0), (x1, y1)] = [layout.place(pair[0]), layout.place(pair[1])];
+        let length = (x1 - x0).hypot(y1 - y0);
+        run += length;
+        if run < ARROWS || length <= NEAR {
+            continue;
+        }
+        run = 0.0;
+        let at = ((pair[0].0 + pair[1].0) / 2.0, (pair[0].1 + pair[1].1) / 2.0);
+        found.push(Arrow { at, step: ((x1 - x0) / length, (y0 - y1) / length), colour });
+    }
+    found
 }
 
 /// A ring where the path begins and a dot where it ends.

@@ -61,28 +61,31 @@ pub struct Mark {
 #[derive(Debug, Clone)]
 pub struct Picture<'a> {
     pub(super) motion: &'a Motion,
-    title: String,
-    note: String,
+    pub(super) title: String,
+    pub(super) note: String,
     panels: Vec<Panel>,
     pub(super) marks: Vec<Mark>,
     pub(super) theme: Theme,
+    /// Those that move: one that never does would take a colour, and lie over the others.
+    pub(super) axes: Vec<usize>,
 }
 
 /// A panel over time: one quantity of one or more axes.
-struct Curves {
-    quantity: Quantity,
-    axes: Vec<usize>,
+pub(super) struct Curves {
+    pub quantity: Quantity,
+    pub axes: Vec<usize>,
 }
 
 impl<'a> Picture<'a> {
-    /// All panels, the path where there are two axes or more, for paper.
+    /// All panels of the axes that move, the path where there are two of them or more, for paper.
     #[must_use]
     pub fn new(motion: &'a Motion) -> Self {
+        let axes = moving(motion);
         let mut panels = vec![Panel::Position, Panel::Velocity, Panel::Acceleration, Panel::Jerk];
-        if motion.axes().len() > 1 {
+        if axes.len() > 1 {
             panels.insert(0, Panel::Path);
         }
-        Self { motion, title: String::new(), note: String::new(), panels, marks: Vec::new(), theme: Theme::LIGHT }
+        Self { motion, title: String::new(), note: String::new(), panels, marks: Vec::new(), theme: Theme::LIGHT, axes }
     }
 
     /// With a title.
@@ -122,8 +125,7 @@ impl<'a> Picture<'a> {
     /// The motion takes no time or has no axes, or no panel is asked for.
     pub fn draw(&self) -> Result<Drawing, PlotError> {
         self.check()?;
-        let names: Vec<String> = self.motion.axes().iter().map(|axis| axis.name.clone()).collect();
-        let mut sheet = Sheet::new(&self.title, &self.note, self.theme, &names)?;
+        let mut sheet = Sheet::new(&self.title, &self.note, self.theme, &self.names())?;
         let time = axis_unit("s", self.motion.duration());
         let over_time = self.over_time();
         let mut left = over_time.len();
@@ -140,12 +142,36 @@ impl<'a> Picture<'a> {
         Drawing::new(sheet, if self.title.is_empty() { "Motion" } else { &self.title })
     }
 
-    /// Draws it into a file that ends in `.svg` or `.png`, whole or not at all.
+    /// Draws it into a file that ends in `.svg` or `.png`, or writes its page into one that ends in `.html`, whole or not at
+    /// all.
     pub fn save(&self, path: &Path) -> Result<(), PlotError> {
-        self.draw()?.save(path)
+        let is_page = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html"));
+        if is_page { self.page()?.save(path) } else { self.draw()?.save(path) }
     }
 
-    fn check(&self) -> Result<(), PlotError> {
+    /// Of the axes that are shown.
+    pub(super) fn names(&self) -> Vec<String> {
+        self.axes.iter().map(|index| self.motion.axes()[*index].name.clone()).collect()
+    }
+
+    /// Of an axis, counted among those that are shown.
+    pub(super) fn colour(&self, index: usize) -> i32 {
+        self.axes.iter().position(|shown| *shown == index).unwrap_or(0) as i32
+    }
+
+    /// The two axes of the path: the first two that move, if there are as many.
+    pub(super) fn plane(&self) -> [usize; 2] {
+        match self.axes.as_slice() {
+            [first, second, ..] => [*first, *second],
+            _ => [0, 1],
+        }
+    }
+
+    pub(super) fn has_path(&self) -> bool {
+        self.panels.contains(&Panel::Path)
+    }
+
+    pub(super) fn check(&self) -> Result<(), PlotError> {
         let what = match (self.motion.axes().len(), self.panels.as_slice()) {
             (0, _) => "the motion has no axes",
             (_, []) => "no panel is asked for",
@@ -157,7 +183,7 @@ impl<'a> Picture<'a> {
     }
 
     /// The panels over time, each quantity in one, or in one an axis.
-    fn over_time(&self) -> Vec<Curves> {
+    pub(super) fn over_time(&self) -> Vec<Curves> {
         let quantity = |panel: &Panel| match panel {
             Panel::Path => None,
             Panel::Position => Some(Quantity::Position),
@@ -165,16 +191,15 @@ impl<'a> Picture<'a> {
             Panel::Acceleration => Some(Quantity::Acceleration),
             Panel::Jerk => Some(Quantity::Jerk),
         };
-        let count = self.motion.axes().len();
         let split = |quantity| match self.share_a_panel(quantity) {
-            true => vec![Curves { quantity, axes: (0..count).collect() }],
-            false => (0..count).map(|index| Curves { quantity, axes: vec![index] }).collect(),
+            true => vec![Curves { quantity, axes: self.axes.clone() }],
+            false => self.axes.iter().map(|index| Curves { quantity, axes: vec![*index] }).collect(),
         };
         self.panels.iter().filter_map(quantity).flat_map(split).collect()
     }
 
     fn share_a_panel(&self, quantity: Quantity) -> bool {
-        let axes = self.motion.axes().iter();
+        let axes = self.axes.iter().map(|index| &self.motion.axes()[*index]);
         let ranges: Vec<(f64, f64)> = axes.map(|axis| range(axis, quantity)).collect();
         let extents = ranges.iter().map(|(low, high)| high - low).filter(|extent| *extent > 0.0);
         let (low, high) = union(&ranges);
@@ -197,6 +222,7 @@ impl<'a> Picture<'a> {
             meetings: self.meetings(time),
             lines: Vec::new(),
             dots: Vec::new(),
+            arrows: Vec::new(),
             labels: Vec::new(),
         };
         limit::draw(&mut frame, limits, unit, *range, end)?;
@@ -212,13 +238,13 @@ impl<'a> Picture<'a> {
         points.extend(rest(axis, quantity, end).into_iter().flatten());
         let points = thinned(points, COLUMN * end / INSIDE).into_iter();
         let points = points.map(|(at, value)| (at / time.size, value / view.unit.size)).collect();
-        Line { points, colour: self.theme.curve(index), width: 2.4, is_dashed: false }
+        Line { points, colour: self.theme.curve(self.colour(index) as usize), width: 2.4, is_dashed: false }
     }
 
-    fn name(&self, curves: &Curves, unit: &Unit) -> String {
+    pub(super) fn name(&self, curves: &Curves, unit: &Unit) -> String {
         let quantity = curves.quantity.title();
         match curves.axes.as_slice() {
-            [axis] if self.motion.axes().len() > 1 => {
+            [axis] if self.axes.len() > 1 => {
                 format!("{quantity} of {} ({})", self.motion.axes()[*axis].name, unit.name)
             }
             _ => format!("{quantity} ({})", unit.name),
@@ -248,19 +274,19 @@ impl Curves {
 }
 
 /// What a panel has to show.
-struct View {
-    limits: Vec<Limit>,
+pub(super) struct View {
+    pub limits: Vec<Limit>,
     /// Of the values, in SI units.
-    range: (f64, f64),
-    unit: Unit,
+    pub range: (f64, f64),
+    pub unit: Unit,
     /// From the lower end of the panel to the upper one, in its unit.
-    shown: (f64, f64),
+    pub shown: (f64, f64),
 }
 
 impl View {
-    fn new(picture: &Picture, curves: &Curves) -> Self {
-        let axes: Vec<(usize, &Axis)> =
-            curves.axes.iter().map(|index| (*index, &picture.motion.axes()[*index])).collect();
+    pub(super) fn new(picture: &Picture, curves: &Curves) -> Self {
+        let shown = |index: &usize| (picture.colour(*index) as usize, &picture.motion.axes()[*index]);
+        let axes: Vec<(usize, &Axis)> = curves.axes.iter().map(shown).collect();
         let limits = limits(curves.quantity, &axes, &picture.theme);
         let range = union(&axes.iter().map(|(_, axis)| range(axis, curves.quantity)).collect::<Vec<_>>());
         let shown = with_limits(range, &limits);
@@ -270,8 +296,18 @@ impl View {
     }
 }
 
+/// The axes that move; all of them, if none does.
+fn moving(motion: &Motion) -> Vec<usize> {
+    let moves = |axis: &Axis| {
+        let (low, high) = range(axis, Quantity::Position);
+        low < high
+    };
+    let found: Vec<usize> = (0..motion.axes().len()).filter(|index| moves(&motion.axes()[*index])).collect();
+    if found.is_empty() { (0..motion.axes().len()).collect() } else { found }
+}
+
 /// An axis that ends before the others stays where it is.
-fn rest(axis: &Axis, quantity: Quantity, end: f64) -> Option<[(f64, f64); 2]> {
+pub(super) fn rest(axis: &Axis, quantity: Quantity, end: f64) -> Option<[(f64, f64); 2]> {
     let (from, position) = (axis.profile.duration(), axis.profile.end().position);
     let value = if quantity == Quantity::Position { position } else { 0.0 };
     (from < end).then_some([(from, value), (end, value)])

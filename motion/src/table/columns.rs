@@ -1,7 +1,7 @@
 //! The columns of a table: their names and units, and what a row has in them.
 
 use super::numbers::number;
-use super::{Heading, TableError, Timing};
+use super::{Heading, Row, TableError, Timing};
 use crate::motion::Knot;
 use crate::segment::State;
 
@@ -84,9 +84,12 @@ impl<'a> Rows<'a> {
         self.row
     }
 
-    /// The numbers of a knot.
-    pub(super) fn numbers(&mut self, knot: &Knot) -> Result<Vec<f64>, TableError> {
-        let time = self.advance(knot.time)?;
+    /// The numbers of a row.
+    pub(super) fn numbers(&mut self, Row { knot, duration }: &Row) -> Result<Vec<f64>, TableError> {
+        let time = match (self.advance(knot.time)?, duration) {
+            (_, Some(own)) if self.heading.timing == Timing::Duration => *own,
+            (time, _) => time,
+        };
         let states = knot.states.iter().flat_map(|state| [state.position, state.velocity]);
         let numbers: Vec<f64> = std::iter::once(time).chain(states).collect();
         self.check(&numbers)?;

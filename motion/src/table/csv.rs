@@ -6,17 +6,20 @@ use csv::{ReaderBuilder, Writer};
 
 use super::columns::{self, Rows, columns, title};
 use super::numbers::decimal;
-use super::{Heading, Table, TableError};
-use crate::motion::Knot;
+use super::{Heading, Row, Table, TableError};
 
 /// Writes a table as CSV, row by row as the knots come; how many rows.
-pub fn write_csv(out: impl Write, heading: &Heading, knots: impl IntoIterator<Item = Knot>) -> Result<u64, TableError> {
+pub fn write_csv<R: Into<Row>>(
+    out: impl Write,
+    heading: &Heading,
+    knots: impl IntoIterator<Item = R>,
+) -> Result<u64, TableError> {
     columns::check(heading)?;
     let mut writer = Writer::from_writer(out);
     writer.write_record(columns(heading).iter().map(title))?;
     let mut rows = Rows::new(heading);
     for knot in knots {
-        writer.write_record(rows.numbers(&knot)?.into_iter().map(decimal))?;
+        writer.write_record(rows.numbers(&knot.into())?.into_iter().map(decimal))?;
     }
     writer.flush()?;
     Ok(rows.count())

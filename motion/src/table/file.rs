@@ -4,9 +4,8 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
-use super::{Heading, Table, TableError, read_csv, read_json, write_csv, write_json};
+use super::{Heading, Row, Table, TableError, read_csv, read_json, write_csv, write_json};
 use crate::file::write_whole;
-use crate::motion::Knot;
 
 /// By the ending of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,7 +24,11 @@ pub(super) fn format(path: &Path) -> Result<Format, TableError> {
 }
 
 /// Writes a table into a file that ends in `.csv` or `.json`, whole or not at all; how many rows.
-pub fn save(path: &Path, heading: &Heading, knots: impl IntoIterator<Item = Knot>) -> Result<u64, TableError> {
+pub fn save<R: Into<Row>>(
+    path: &Path,
+    heading: &Heading,
+    knots: impl IntoIterator<Item = R>,
+) -> Result<u64, TableError> {
     match format(path)? {
         Format::Csv => write_whole(path, |out| write_csv(out, heading, knots)),
         Format::Json => write_whole(path, |out| write_json(out, heading, knots)),

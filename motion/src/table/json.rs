@@ -6,8 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::columns::{self, Rows, columns, title};
 use super::numbers::{decimal, quote_numbers};
-use super::{Heading, Table, TableError};
-use crate::motion::Knot;
+use super::{Heading, Row, Table, TableError};
 
 /// The title of a column, in parts.
 #[derive(Serialize, Deserialize)]
@@ -28,10 +27,10 @@ struct Document {
 /// Writes a table as JSON, row by row as the knots come; how many rows.
 ///
 /// `{"columns": [{"name": "time", "unit": "s"}, ..], "rows": [[0.0, ..], ..]}`
-pub fn write_json(
+pub fn write_json<R: Into<Row>>(
     mut out: impl Write,
     heading: &Heading,
-    knots: impl IntoIterator<Item = Knot>,
+    knots: impl IntoIterator<Item = R>,
 ) -> Result<u64, TableError> {
     columns::check(heading)?;
     let column = |(name, unit): (String, &str)| Column { name, unit: unit.to_owned() };
@@ -40,7 +39,7 @@ pub fn write_json(
     let mut rows = Rows::new(heading);
     for knot in knots {
         let comma = if rows.count() == 0 { "" } else { "," };
-        let numbers: Vec<String> = rows.numbers(&knot)?.into_iter().map(decimal).collect();
+        let numbers: Vec<String> = rows.numbers(&knot.into())?.into_iter().map(decimal).collect();
         write!(out, "{comma}\n[{}]", numbers.join(","))?;
     }
     out.write_all(b"\n]}\n")?;

@@ -20,6 +20,7 @@ mod json;
 mod knots;
 mod moves;
 mod numbers;
+mod triggers;
 
 pub use csv::{read_csv, write_csv};
 pub use error::TableError;
@@ -27,6 +28,7 @@ pub use file::{load, save};
 pub use json::{read_json, write_json};
 pub use knots::{Knots, knots};
 pub use moves::{MoveWriter, save_moves};
+pub use triggers::save_triggers;
 
 use crate::motion::Knot;
 
@@ -38,6 +40,27 @@ pub enum Timing {
     Absolute,
     /// The time since the row before; 0 in the first row.
     Duration,
+}
+
+/// A row to write.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// When, and the states of all axes.
+    pub knot: Knot,
+    /// How long the segment takes that ends with it, in s, where that is known better than as a difference of times.
+    pub duration: Option<f64>,
+}
+
+impl From<Knot> for Row {
+    fn from(knot: Knot) -> Self {
+        Self { knot, duration: None }
+    }
+}
+
+impl From<(Knot, f64)> for Row {
+    fn from((knot, duration): (Knot, f64)) -> Self {
+        Self { knot, duration: Some(duration) }
+    }
 }
 
 /// What a table says.

@@ -38,8 +38,8 @@ impl MoveWriter<'_> {
     pub fn push(&mut self, row: &Row) -> Result<(), TableError> {
         let kind = match (row.cut.feed, row.cut.path) {
             (_, Way::Arc(_)) => "arc",
-            (Feed::Rapid, Way::Straight) => "rapid",
-            (Feed::Speed(_), Way::Straight) => "cut",
+            (Feed::Rapid | Feed::RapidAt(_), Way::Straight) => "rapid",
+            (Feed::Speed(_) | Feed::Within(_) | Feed::Unknown, Way::Straight) => "cut",
         };
         let [x, y, z] = row.cut.to;
         let numbers = [x, y, z, row.length, row.feed, row.peak, row.total - row.time, row.time, row.total].map(decimal);

@@ -54,13 +54,28 @@ fn scales(segment: &Segment) -> [f64; 3] {
 /// Integrates the jerk of a profile from its start, exactly, with the jumps of acceleration it declares, and compares
 /// every boundary state: each segment may add `CLOSING` units, and what was added goes on in time.
 pub fn integrates(profile: &Profile, what: &str) {
+    integrates_within(profile, [0.0; 3], what);
+}
+
+/// The same, with units of the largest numbers of the whole profile: those of a state between two knots of its own axis are
+/// sums of theirs.
+pub fn integrates_in_reach(profile: &Profile, what: &str) {
+    let largest = |most: [f64; 3], one: [f64; 3]| std::array::from_fn(|n| most[n].max(one[n]));
+    let [a, v, x] = profile.segments().iter().map(scales).fold([0.0; 3], largest);
+    // a time has the rounding of the whole, 8 times where it is a difference of sums, and makes as much of a velocity
+    integrates_within(profile, [a, v.max(a * profile.duration() * 8.0 / CLOSING), x], what);
+}
+
+fn integrates_within(profile: &Profile, least: [f64; 3], what: &str) {
     let start = profile.start();
     let mut exact = Exact([float(start.acceleration), float(start.velocity), float(start.position)]);
     let mut allowed = [0.0; 3];
     for (index, segment) in profile.segments().iter().enumerate() {
         exact.0[0] = float(segment.start.acceleration);
         exact = exact.after(segment.duration, segment.jerk);
-        let (unit, t) = (scales(segment).map(|scale| CLOSING * EPS * scale), segment.duration);
+        let own = scales(segment);
+        let unit: [f64; 3] = std::array::from_fn(|n| CLOSING * EPS * own[n].max(least[n]));
+        let t = segment.duration;
         allowed = [unit[0], allowed[1] + unit[1], allowed[2] + allowed[1] * t + unit[2]];
         let end = segment.end;
         let off = exact.minus([end.acceleration, end.velocity, end.position]);

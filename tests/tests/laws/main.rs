@@ -2,11 +2,13 @@
 
 mod five_segment;
 mod fly_axis;
+mod look_ahead;
 mod milling_time;
 mod optimum;
 mod overhead;
 mod pvt;
 mod return_path;
+mod s_curve;
 mod step_move;
 mod turnaround;
 mod waypoints;

@@ -19,17 +19,19 @@ pub fn merged<T: Serialize + DeserializeOwned>(flags: &T, file: Option<&Path>) -
     table.try_into().map_err(|error| internal(&error))
 }
 
-fn read<T: DeserializeOwned>(path: &Path) -> Outcome<toml::Table> {
+fn read<T: Serialize + DeserializeOwned>(path: &Path) -> Outcome<toml::Table> {
     let text = std::fs::read_to_string(path)
         .map_err(|error| Failure::Input(format!("{error}: give a file that can be read after --file")).at(path))?;
-    // Once as what it must be, for an error with its place; once as a table, to be written over.
+    // Some editors begin a file with a mark of the order of its bytes.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
     let wrong = |error: toml::de::Error| {
         let before = error.span().map_or("", |span| text.get(..span.start).unwrap_or_default());
         let (line, message) = (before.matches('\n').count() + 1, error.message().trim().replace('\n', " "));
         Failure::Input(format!("line {line}: {message}: use the names and values of the flags")).at(path)
     };
-    toml::from_str::<T>(&text).map_err(wrong)?;
-    toml::from_str(&text).map_err(wrong)
+    // An alias becomes the name that it stands for.
+    let inputs = toml::from_str::<T>(text).map_err(wrong)?;
+    toml::Table::try_from(inputs).map_err(|error| Failure::Other(error.to_string()))
 }
 
 /// A value that must be there.

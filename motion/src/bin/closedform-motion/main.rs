@@ -8,8 +8,7 @@ mod limits;
 mod milling;
 mod output;
 mod points;
-mod scan_skip;
-mod shown;
+mod raster_scan;
 mod step;
 mod summary;
 mod waypoints;
@@ -56,8 +55,8 @@ enum Command {
 #[derive(Subcommand)]
 enum Kind {
     /// A raster scan that flies along one axis and steps the other while it turns around
-    #[command(allow_negative_numbers = true)]
-    ScanSkip(Request<scan_skip::Inputs>),
+    #[command(allow_negative_numbers = true, visible_alias = "scan-skip")]
+    RasterScan(Request<raster_scan::Inputs>),
     /// A step in four segments that starts hard and settles gently
     #[command(allow_negative_numbers = true)]
     Step(Request<step::Inputs>),
@@ -84,7 +83,7 @@ struct Request<T: Args> {
 impl Kind {
     fn name(&self) -> &'static str {
         match self {
-            Self::ScanSkip(_) => "scan-skip",
+            Self::RasterScan(_) => "raster-scan",
             Self::Step(_) => "step",
             Self::FiveSegment(_) => "five-segment",
             Self::Waypoints(_) => "waypoints",
@@ -94,7 +93,7 @@ impl Kind {
 
     fn output(&mut self) -> &mut Output {
         match self {
-            Self::ScanSkip(request) => &mut request.output,
+            Self::RasterScan(request) => &mut request.output,
             Self::Step(request) => &mut request.output,
             Self::FiveSegment(request) => &mut request.output,
             Self::Waypoints(request) => &mut request.output,
@@ -112,7 +111,7 @@ impl Kind {
     fn run(mut self) -> Outcome<()> {
         self.output().check()?;
         match &self {
-            Self::ScanSkip(request) => scan_skip::run(&request.inputs, &request.output),
+            Self::RasterScan(request) => raster_scan::run(&request.inputs, &request.output),
             Self::Step(request) => step::run(&request.inputs, &request.output),
             Self::FiveSegment(request) => five_segment::run(&request.inputs, &request.output),
             Self::Waypoints(request) => waypoints::run(&request.inputs, &request.output),

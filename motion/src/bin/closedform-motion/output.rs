@@ -4,12 +4,16 @@ use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use closedform_motion::Motion;
 use closedform_motion::plot::{Picture, PlotError, Theme};
-use closedform_motion::table::{self, Heading, TableError, Timing, knots};
-use closedform_motion::{Knot, Motion};
+use closedform_motion::table::{self, Heading, Row, TableError, Timing, knots};
+use indicatif::ProgressBar;
 
 use crate::error::{Failure, Outcome};
 use crate::summary::Summary;
+
+/// So many rows take a second.
+const MANY: u64 = 100_000;
 
 /// Where the results go.
 #[derive(Args, Debug, Clone)]
@@ -20,7 +24,7 @@ pub struct Output {
     /// Write the table there: .csv or .json
     #[arg(long, value_name = "FILE")]
     pub table: Option<PathBuf>,
-    /// Write a picture there: .svg or .png
+    /// Write a picture there: .svg, .png, or .html to zoom and to read values
     #[arg(long, value_name = "FILE")]
     pub picture: Option<PathBuf>,
     /// The first column of a PVT table says how long each segment takes, not when it ends
@@ -45,14 +49,10 @@ impl Output {
 
     /// Whether the names of the files say what to write, before anything is written.
     pub fn check(&self) -> Outcome<()> {
-        let ends = |path: &Path, endings: [&str; 2]| {
-            let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-            endings.iter().any(|one| ending.eq_ignore_ascii_case(one))
-        };
-        if let Some(path) = self.table.as_deref().filter(|path| !ends(path, ["csv", "json"])) {
+        if let Some(path) = self.table.as_deref().filter(|path| !ends(path, &["csv", "json"])) {
             return Err(Failure::from(TableError::Format { path: path.display().to_string() }));
         }
-        if let Some(path) = self.picture.as_deref().filter(|path| !ends(path, ["svg", "png"])) {
+        if let Some(path) = self.picture.as_deref().filter(|path| !ends(path, &["svg", "png", "html"])) {
             return Err(Failure::from(PlotError::Format { path: path.display().to_string() }));
         }
         self.spares(self.file.as_deref())
@@ -71,12 +71,35 @@ impl Output {
         }
     }
 
-    /// Writes the table of some knots, if one is asked for.
-    pub fn table(&self, summary: &mut Summary, axes: &[String], rows: impl IntoIterator<Item = Knot>) -> Outcome<()> {
+    /// Whether a file of this name may be written, of one of these kinds.
+    pub fn writes(&self, path: &Path, endings: &[&str]) -> Outcome<()> {
+        if !ends(path, endings) {
+            let message = format!("its name must end in .{}: give it another", endings.join(" or ."));
+            return Err(Failure::Input(message).at(path));
+        }
+        for (flag, other) in [("file", &self.file), ("table", &self.table), ("picture", &self.picture)] {
+            if other.as_deref().is_some_and(|other| other == path || is_same_file(other, path)) {
+                return Err(Failure::Input(format!("this is the file of --{flag} too: give another name")).at(path));
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the table of so many rows, if one is asked for.
+    pub fn table<R: Into<Row>>(
+        &self,
+        summary: &mut Summary,
+        axes: &[String],
+        count: u64,
+        rows: impl IntoIterator<Item = R>,
+    ) -> Outcome<()> {
         let Some(path) = &self.table else { return Ok(()) };
         let timing = if self.durations { Timing::Duration } else { Timing::Absolute };
         let heading = Heading { axes: axes.to_vec(), timing };
+        let bar = progress(count);
+        let rows = bar.wrap_iter(rows.into_iter());
         let rows = table::save(path, &heading, rows).map_err(|error| Failure::from(error).at(path))?;
+        bar.finish_and_clear();
         summary.file(path, Some(rows));
         Ok(())
     }
@@ -86,7 +109,7 @@ impl Output {
         let Some(path) = &self.table else { return Ok(()) };
         let axes: Vec<String> = motion.axes().iter().map(|axis| axis.name.clone()).collect();
         let rows = knots(motion, self.tolerance).map_err(|error| Failure::from(error).at(path))?;
-        self.table(summary, &axes, rows)
+        self.table(summary, &axes, rows.len() as u64, rows)
     }
 
     /// Writes the picture, if one is asked for.
@@ -103,6 +126,17 @@ impl Output {
         let mut output = io::stdout().lock();
         unless_closed(output.write_all(text.as_bytes()).and_then(|()| output.flush()))
     }
+}
+
+/// Shows how far it is with so many rows, on a terminal, where it takes some time.
+fn progress(count: u64) -> ProgressBar {
+    if count < MANY { ProgressBar::hidden() } else { ProgressBar::new(count) }
+}
+
+/// Whether the name of a file says that it is of one of some kinds.
+fn ends(path: &Path, endings: &[&str]) -> bool {
+    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    endings.iter().any(|one| ending.eq_ignore_ascii_case(one))
 }
 
 /// Whether both paths lead to one file that is there.

@@ -1,9 +1,9 @@
-//! The time of a cut in steps, the seed's model.
+//! The time of a cut in steps, the derivation's model.
 //!
 //! From rest, the axis that limits has after k steps the speed `a*T`, with T the time so far, and the next step takes
 //! `T' - T = L/X = c/T'` with `c = n*L/a` (maxima-ref/milling_time.mac). In the unit `sqrt(c)` of time, and
 //! `sqrt(a*L/n)` of speed along the cut, that is one sequence for all cuts of all machines, from rest: speed and time
-//! after k steps are the same number. [`Ramp`] holds it, so a long cut, or a million of short ones, costs a search each
+//! after k steps are the same number. [`Steps`] holds it, so a long cut, or a million of short ones, costs a search each
 //! instead of a loop over its steps.
 
 use closedform_kernels::milling_time;
@@ -18,12 +18,12 @@ const MOST: usize = 1 << 20;
 /// Speeding up from rest in steps of the length 1 with the acceleration 1: the time after each step, which is the speed
 /// in it.
 #[derive(Debug, Clone)]
-pub(super) struct Ramp {
+pub(super) struct Steps {
     times: Vec<f64>,
     last: Sum,
 }
 
-impl Ramp {
+impl Steps {
     pub(super) fn new() -> Self {
         Self { times: vec![0.0], last: Sum::default() }
     }

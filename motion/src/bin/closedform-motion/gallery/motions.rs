@@ -1,7 +1,7 @@
 //! The motions of the README's pictures.
 
 use closedform_motion::Motion;
-use closedform_motion::plan::scan_skip::ScanSkip;
+use closedform_motion::plan::derived_raster::DerivedRaster;
 use closedform_motion::plan::step_move::{StepMove, StepShape};
 use closedform_motion::plan::waypoints::{Problem, Timing, Waypoints};
 
@@ -23,5 +23,5 @@ pub fn step() -> Outcome<Motion> {
 
 /// Two lines with the fastest turn-around, whose optimum is inside.
 pub fn scan() -> Outcome<Motion> {
-    Ok(ScanSkip::new(0.1, 50.0, 2e-4, 2.0, 5e-3, 2).plan()?.motion()?)
+    Ok(DerivedRaster::new(0.1, 50.0, 2e-4, 2.0, 5e-3, 2).plan()?.motion()?)
 }

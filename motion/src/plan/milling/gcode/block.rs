@@ -1,16 +1,18 @@
-//! A block: the codes and words of one line.
+//! A block: the codes and words of one line, and the parameters that it sets.
 
-use gcode::core::{
-    BlockVisitor, CommandVisitor, ControlFlow, Diagnostics, Number, ProgramVisitor, Span, TokenType, Value,
-};
-
+use super::dialect::Dialect;
 use super::error::Problem;
-
-/// The parser counts codes in tenths in 32 bits: a number with more digits before the point than this is none.
-const DIGITS: usize = 8;
+use super::expression::Scanner;
+use super::parameters::{Controller, Parameters};
 
 /// A G or M code, in tenths: G91.1 is 911.
 pub(super) type Tenths = u32;
+
+/// The largest code.
+const LARGEST: f64 = 9999.9;
+
+/// A code may be a computed number: so far from tenths it may be, as in LinuxCNC.
+const NEAR: f64 = 1e-4;
 
 /// What stands in one line.
 #[derive(Debug, Default)]
@@ -19,38 +21,127 @@ pub(super) struct Block {
     pub(super) general: Vec<Tenths>,
     /// M codes, in order.
     pub(super) miscellaneous: Vec<Tenths>,
-    /// A program mark, `%`.
-    pub(super) mark: bool,
-    /// What could not be read.
-    pub(super) problem: Option<Problem>,
+    /// Distance and angle from the origin (`@` and `^`).
+    pub(super) polar: [Option<f64>; 2],
     words: [Option<f64>; 26],
+    settings: Vec<(Name, f64)>,
+    /// Whether P has a point: Haas takes it for seconds then, and for milliseconds without.
+    pub(super) has_point: bool,
+    /// Words that were left out, because a name has no value.
+    pub(super) left_out: Vec<Problem>,
+}
+
+/// Of a parameter.
+#[derive(Debug)]
+enum Name {
+    Number(u32),
+    Name(String),
 }
 
 impl Block {
-    /// Reads a line, without its optional `/`.
-    pub(super) fn read(&mut self, line: &str) {
-        *self = Self {
-            general: std::mem::take(&mut self.general),
-            miscellaneous: std::mem::take(&mut self.miscellaneous),
-            ..Self::default()
-        };
-        self.general.clear();
-        self.miscellaneous.clear();
-        let bare = bare(line);
-        if line.contains('\r') {
-            return self.report(Problem::CarriageReturn);
+    /// Reads a line, in lower case and without blanks, and sets its parameters.
+    pub(super) fn read(
+        &mut self,
+        code: &[u8],
+        dialect: Dialect,
+        parameters: &mut Parameters,
+        controller: &dyn Controller,
+    ) -> Result<(), Problem> {
+        self.clear();
+        let mut scanner = Scanner::new(code, 0, parameters, controller);
+        if scanner.take(b"n") {
+            scanner.value()?;
         }
-        if let Some(text) = oversized(&bare) {
-            return self.report(Problem::Syntax { text: text.to_owned() });
+        while let Some(letter) = scanner.peek() {
+            match letter {
+                b'#' => self.setting(&mut scanner, dialect)?,
+                b'a'..=b'z' => self.read_word(letter, &mut scanner, dialect)?,
+                // which of several spindles
+                b'$' => {
+                    scanner.at += 1;
+                    scanner.value()?;
+                }
+                b'@' | b'^' => self.read_polar(letter, &mut scanner)?,
+                _ => return Err(scanner.unreadable()),
+            }
         }
-        gcode::core::parse(line, &mut Reader { line, block: self });
-        // The parser says nothing of a code whose number is none, like G5.10.
-        if codes(&bare) != self.general.len() + self.miscellaneous.len() {
-            self.report(Problem::Syntax { text: bare.trim().to_owned() });
+        for (name, value) in self.settings.drain(..) {
+            match name {
+                Name::Number(number) => parameters.set(number, value)?,
+                Name::Name(name) => parameters.set_name(&name, value)?,
+            }
         }
+        Ok(())
     }
 
-    /// Whether it has no codes and no words, at most comments or a program number.
+    fn clear(&mut self) {
+        self.general.clear();
+        self.miscellaneous.clear();
+        self.settings.clear();
+        self.left_out.clear();
+        self.has_point = false;
+        self.polar = [None; 2];
+        self.words = [None; 26];
+    }
+
+    fn read_word(&mut self, letter: u8, scanner: &mut Scanner, dialect: Dialect) -> Result<(), Problem> {
+        scanner.at += 1;
+        if matches!(scanner.peek(), Some(b'#' | b'[')) && !dialect.computes() {
+            let what = "a parameter or an expression".to_owned();
+            return Err(Problem::Dialect { what, dialect: dialect.name() });
+        }
+        if let Some(axis) = alone(letter, scanner, dialect) {
+            self.words[axis].get_or_insert(0.0);
+            return Ok(());
+        }
+        let begin = scanner.at;
+        let value = match scanner.value() {
+            // What only the sender of a program knows: the word counts as if it were not there, and that is told.
+            Err(problem @ Problem::Undefined { .. }) if is_short(&problem) => {
+                self.left_out.push(problem);
+                return Ok(());
+            }
+            value => value?,
+        };
+        self.has_point |= letter == b'p' && scanner.code[begin..scanner.at].contains(&b'.');
+        match letter {
+            b'g' => self.general.push(tenths('G', value)?),
+            b'm' => self.miscellaneous.push(tenths('M', value)?),
+            _ => {
+                if self.words[usize::from(letter - b'a')].replace(value).is_some() {
+                    return Err(Problem::Twice { what: char::from(letter).to_ascii_uppercase().to_string() });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn read_polar(&mut self, letter: u8, scanner: &mut Scanner) -> Result<(), Problem> {
+        scanner.at += 1;
+        let value = scanner.value()?;
+        self.polar[usize::from(letter == b'^')] = Some(value);
+        Ok(())
+    }
+
+    /// `#1=2`, `#<name>=2`: counts from the next line on.
+    fn setting(&mut self, scanner: &mut Scanner, dialect: Dialect) -> Result<(), Problem> {
+        if !dialect.computes() {
+            return Err(Problem::Dialect { what: "a parameter".to_owned(), dialect: dialect.name() });
+        }
+        scanner.at += 1;
+        let name = match scanner.peek() {
+            Some(b'<') => Name::Name(scanner.name()?),
+            _ => Name::Number(scanner.index()?),
+        };
+        if !scanner.take(b"=") {
+            return Err(scanner.unreadable());
+        }
+        let value = scanner.value()?;
+        self.settings.push((name, value));
+        Ok(())
+    }
+
+    /// Whether it has no codes and no words.
     pub(super) fn is_empty(&self) -> bool {
         self.general.is_empty() && self.miscellaneous.is_empty() && self.words.iter().all(Option::is_none)
     }
@@ -65,122 +156,43 @@ impl Block {
         letters.chars().find(|letter| self.word(*letter).is_some())
     }
 
-    fn report(&mut self, problem: Problem) {
-        self.problem.get_or_insert(problem);
+    /// All words, from A to Z.
+    pub(super) fn words(&self) -> &[Option<f64>; 26] {
+        &self.words
     }
+
+    /// With a word that was taken out.
+    pub(super) fn put(&mut self, letter: char, value: Option<f64>) {
+        if let Some(index) = index(letter) {
+            self.words[index] = value;
+        }
+    }
+
+    /// Without a word that has been used.
+    pub(super) fn remove(&mut self, letter: char) -> Option<f64> {
+        self.words[index(letter)?].take()
+    }
+}
+
+/// Whether it is one of the names that a sender replaces.
+fn is_short(problem: &Problem) -> bool {
+    matches!(problem, Problem::Undefined { name } if name.len() == 4 && !name.starts_with('_'))
 }
 
 fn index(letter: char) -> Option<usize> {
     letter.is_ascii_alphabetic().then(|| usize::from(letter.to_ascii_uppercase() as u8 - b'A'))
 }
 
-/// The line without its comments, as the parser sees them.
-fn bare(line: &str) -> String {
-    let mut depth = 0_u32;
-    let place = |letter: char| {
-        let outside = depth == 0 && letter != '(';
-        match letter {
-            '(' => depth += 1,
-            ')' => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        (outside, letter)
-    };
-    let code = line.chars().map(place).take_while(|place| *place != (true, ';'));
-    code.map(|(outside, letter)| if outside { letter } else { ' ' }).collect()
+/// Printers name axes without a number: `G28 X Y`.
+fn alone(letter: u8, scanner: &Scanner, dialect: Dialect) -> Option<usize> {
+    let ends = scanner.peek().is_none_or(|next| next.is_ascii_lowercase());
+    (ends && dialect.prints() && !matches!(letter, b'g' | b'm' | b't')).then(|| usize::from(letter - b'a'))
 }
 
-/// A number with too many digits before the point.
-fn oversized(bare: &str) -> Option<&str> {
-    let number = |part: &&str| part.split('.').next().is_some_and(|whole| whole.len() > DIGITS);
-    bare.split(|letter: char| !letter.is_ascii_digit() && letter != '.').find(number)
-}
-
-/// How many G and M codes there should be.
-fn codes(bare: &str) -> usize {
-    bare.chars().filter(|letter| matches!(letter, 'G' | 'g' | 'M' | 'm')).count()
-}
-
-/// Collects what the parser finds. Words count for the whole block, whichever code they follow.
-struct Reader<'a> {
-    line: &'a str,
-    block: &'a mut Block,
-}
-
-impl Reader<'_> {
-    /// The parser has read the number as an `f32`: here it is read again, from the same text.
-    fn word(&mut self, letter: char, span: Span) {
-        let text = &self.line[span.start..span.end()];
-        let number: String = text.chars().skip(1).filter(|letter| !letter.is_whitespace()).collect();
-        let (Some(index), Ok(value)) = (index(letter), number.parse::<f64>()) else {
-            return self.block.report(Problem::Syntax { text: text.to_owned() });
-        };
-        if self.block.words[index].replace(value).is_some() {
-            self.block.report(Problem::Twice { what: letter.to_ascii_uppercase().to_string() });
-        }
+fn tenths(letter: char, value: f64) -> Result<Tenths, Problem> {
+    let tenths = (10.0 * value).round();
+    if !(0.0..=LARGEST).contains(&value) || (10.0 * value - tenths).abs() > 10.0 * NEAR {
+        return Err(Problem::Syntax { text: format!("{letter}{value}") });
     }
-
-    fn again(&mut self) -> Reader<'_> {
-        Reader { line: self.line, block: self.block }
-    }
-}
-
-fn tenths(number: Number) -> Tenths {
-    number.major() * 10 + number.minor().map_or(0, std::num::NonZeroU32::get)
-}
-
-impl ProgramVisitor for Reader<'_> {
-    fn start_block(&mut self) -> ControlFlow<impl BlockVisitor + '_> {
-        ControlFlow::Continue(self.again())
-    }
-}
-
-impl BlockVisitor for Reader<'_> {
-    fn comment(&mut self, value: &str, _span: Span) {
-        if value.starts_with('(') && !value.ends_with(')') {
-            self.block.report(Problem::Comment { text: value.trim_end().chars().take(40).collect() });
-        }
-    }
-
-    fn program_delimiter(&mut self, _span: Span) {
-        self.block.mark = true;
-    }
-
-    fn word_address(&mut self, letter: char, _value: Value<'_>, span: Span) {
-        self.word(letter, span);
-    }
-
-    fn start_general_code(&mut self, number: Number) -> ControlFlow<impl CommandVisitor + '_> {
-        self.block.general.push(tenths(number));
-        ControlFlow::Continue(self.again())
-    }
-
-    fn start_miscellaneous_code(&mut self, number: Number) -> ControlFlow<impl CommandVisitor + '_> {
-        self.block.miscellaneous.push(tenths(number));
-        ControlFlow::Continue(self.again())
-    }
-
-    fn start_tool_change_code(&mut self, _number: Number) -> ControlFlow<impl CommandVisitor + '_> {
-        ControlFlow::Continue(self.again())
-    }
-}
-
-impl CommandVisitor for Reader<'_> {
-    fn argument(&mut self, letter: char, _value: Value<'_>, span: Span) {
-        self.word(letter, span);
-    }
-}
-
-impl Diagnostics for Reader<'_> {
-    fn emit_unknown_content(&mut self, text: &str, _span: Span) {
-        self.block.report(Problem::Syntax { text: text.to_owned() });
-    }
-
-    fn emit_unexpected(&mut self, actual: &str, _expected: &[TokenType], _span: Span) {
-        self.block.report(Problem::Syntax { text: actual.to_owned() });
-    }
-
-    fn emit_parse_int_error(&mut self, value: &str, _error: std::num::ParseIntError, _span: Span) {
-        self.block.report(Problem::Syntax { text: value.to_owned() });
-    }
+    Ok(tenths as Tenths)
 }

@@ -3,12 +3,12 @@
 //! A half keeps the ratio of the decelerations at the ends of its ramp out. With longer ramps, or a lower velocity,
 //! both are then smaller: no limit is passed, and the half closes.
 
-use super::{Frame, Half, Ramps, ScanSkip, ScanSkipPlan};
+use super::{DerivedRaster, DerivedRasterPlan, Frame, Half, Ramps};
 use crate::error::PlanError;
 
-impl ScanSkip {
+impl DerivedRaster {
     /// The halves of a plan without a tick, on it.
-    pub(super) fn quantised(&self, free: &ScanSkipPlan, tick: f64) -> Result<Frame, PlanError> {
+    pub(super) fn quantised(&self, free: &DerivedRasterPlan, tick: f64) -> Result<Frame, PlanError> {
         let longest = free.period.max(free.line_time);
         if longest / tick > (1_u64 << 53) as f64 {
             let remedy = "give a longer tick: a period of the raster has more of them than 2^53";

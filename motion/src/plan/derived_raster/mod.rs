@@ -1,4 +1,4 @@
-//! `ScanSkip`: a raster scan that flies along one axis and steps the other while it turns around.
+//! `DerivedRaster`: a raster scan with the turn-arounds of the derivation, symmetric in time and linear in the acceleration.
 //!
 //! Both axes turn around together, symmetrically in time. The accelerations over time, of a line that ends at 0:
 //!
@@ -41,10 +41,10 @@
 //! The time of the turn-around itself has no minimum: it falls with `t_in` to 0, where the jerk is infinite.
 //!
 //! ```
-//! use closedform_motion::plan::scan_skip::ScanSkip;
+//! use closedform_motion::plan::derived_raster::DerivedRaster;
 //!
 //! # fn main() -> Result<(), closedform_motion::PlanError> {
-//! let plan = ScanSkip::new(0.1, 50.0, 2e-4, 2.0, 0.01, 100).plan()?;
+//! let plan = DerivedRaster::new(0.1, 50.0, 2e-4, 2.0, 0.01, 100).plan()?;
 //! assert!((plan.overhead - 3.868_405e-3).abs() < 1e-9);
 //! for knot in plan.knots().take(3) {
 //!     println!("{} s: {} m, {} m/s", knot.time, knot.states[0].position, knot.states[0].velocity);
@@ -67,7 +67,7 @@ use turn::Reach;
 
 /// A raster scan to plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ScanSkip {
+pub struct DerivedRaster {
     /// Velocity of the fly axis on the line, in m/s.
     pub v1_scan: f64,
     /// Largest acceleration of the fly axis, in m/s².
@@ -148,9 +148,9 @@ pub enum Limiting {
 
 /// A planned raster scan.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ScanSkipPlan {
+pub struct DerivedRasterPlan {
     /// What was asked for.
-    pub scan: ScanSkip,
+    pub scan: DerivedRaster,
     /// Velocity on the line, in m/s: that asked for, or a little less with a tick.
     pub v1_scan: f64,
     /// The turn-around with the step.
@@ -187,7 +187,7 @@ pub struct Back {
     pub turn: Turn,
 }
 
-impl ScanSkip {
+impl DerivedRaster {
     /// A snake raster with the fastest turn-around, ramps outside of the line, and no tick.
     #[must_use]
     pub fn new(v1_scan: f64, a1_max: f64, d2_step: f64, a2_max: f64, line_length: f64, lines: u64) -> Self {
@@ -212,13 +212,13 @@ impl ScanSkip {
     /// An input that is not positive and finite; a `v1_diff` or `t_out` that the fly axis cannot keep within `a1_max`,
     /// or for which there is no least overhead (the step is made in `t_out` alone); a line too short for its ramps; a
     /// return too fast for the way back; numbers beyond the range of `f64`.
-    pub fn plan(&self) -> Result<ScanSkipPlan, PlanError> {
+    pub fn plan(&self) -> Result<DerivedRasterPlan, PlanError> {
         self.check()?;
         let free = Self { tick: None, ..*self };
         let free = free.planned(&free.halves()?)?;
         let Some(tick) = self.tick else { return Ok(free) };
         let coarse = self.planned(&self.quantised(&free, tick)?)?;
-        Ok(ScanSkipPlan { tick_cost: coarse.duration - free.duration, ..coarse })
+        Ok(DerivedRasterPlan { tick_cost: coarse.duration - free.duration, ..coarse })
     }
 
     /// Limits of the two axes.
@@ -270,7 +270,7 @@ impl ScanSkip {
     }
 
     /// The plan of chosen halves.
-    fn planned(&self, frame: &Frame) -> Result<ScanSkipPlan, PlanError> {
+    fn planned(&self, frame: &Frame) -> Result<DerivedRasterPlan, PlanError> {
         let turn = Turn::with_step(self, frame.line, frame.away());
         let v1_scan = frame.line.half.velocity;
         let back = frame.back.map(|[_, before, after]| Back {
@@ -283,7 +283,7 @@ impl ScanSkip {
         let between = (self.lines - 1) as f64 * period;
         let enter = back.map_or(turn.entering, |back| back.turn.entering);
         let duration = enter.time() + between + line_time + turn.leaving.time();
-        let plan = ScanSkipPlan {
+        let plan = DerivedRasterPlan {
             scan: *self,
             v1_scan,
             turn,
@@ -330,7 +330,7 @@ struct Frame {
 impl Frame {
     /// From halves; times that are 0 follow from the velocities.
     fn new(
-        scan: &ScanSkip,
+        scan: &DerivedRaster,
         line: Half,
         back: Option<[Half; 3]>,
         line_time: f64,

@@ -1,10 +1,11 @@
 //! A planned raster as motions, and as a stream of knots that never holds it in memory.
 
 use super::turn::{Half, Turn};
-use super::{Back, Raster, ScanSkipPlan};
+use super::{Back, DerivedRasterPlan, Raster};
 use crate::error::PlanError;
 use crate::motion::{Axis, Knot, Motion};
 use crate::plan::check::segments_in_range;
+use crate::plan::clock::Clock;
 use crate::profile::Profile;
 use crate::segment::{Segment, State};
 
@@ -55,7 +56,7 @@ impl Side {
     }
 }
 
-impl ScanSkipPlan {
+impl DerivedRasterPlan {
     /// The first line, at `v1_scan`, from time 0: axes `fly` and `step`.
     pub fn line_motion(&self) -> Result<Motion, PlanError> {
         self.joined([self.line(0)].into_iter())
@@ -67,7 +68,7 @@ impl ScanSkipPlan {
         self.joined(self.turn_pieces(&self.turn, Side::Right, from, to).into_iter())
     }
 
-    /// The whole raster, from rest to rest: all lines in memory; [`ScanSkipPlan::knots`] does without.
+    /// The whole raster, from rest to rest: all lines in memory; [`DerivedRasterPlan::knots`] does without.
     pub fn motion(&self) -> Result<Motion, PlanError> {
         self.joined(self.pieces().map(|(_, piece)| piece))
     }
@@ -85,6 +86,12 @@ impl ScanSkipPlan {
             *before = before.max(row.time);
             Some(Knot { time: *before, ..row })
         })
+    }
+
+    /// The same rows, each with the time of the segment that ends with it: the same every time.
+    pub fn rows(&self) -> impl Iterator<Item = (Knot, f64)> + '_ {
+        let durations = self.pieces().map(|(_, piece)| self.on_tick(piece.duration));
+        self.knots().zip(std::iter::once(0.0).chain(durations))
     }
 
     /// How many knots there are.
@@ -145,7 +152,7 @@ impl ScanSkipPlan {
 
     /// A time without the rounding of its sum, where it is known to be a multiple of the tick.
     fn on_tick(&self, time: f64) -> f64 {
-        self.scan.tick.map_or(time, |tick| (time / tick).round() * tick)
+        self.scan.tick.map_or(time, |tick| Clock::new(Some(tick), 0.0).seconds((time / tick).round()))
     }
 
     /// A line, and what leads to the next, if there is one.

@@ -18,7 +18,7 @@
 
 use closedform_kernels::{fly_axis, optimum, turnaround};
 
-use super::{Choice, Half, ScanSkip};
+use super::{Choice, DerivedRaster, Half};
 use crate::error::PlanError;
 use crate::plan::check::{in_range, not_negative, positive};
 use crate::plan::units::Units;
@@ -38,7 +38,7 @@ struct Problem {
 }
 
 /// A half with the least overhead that a choice leaves.
-pub(super) fn half(scan: &ScanSkip, v: f64, choice: Choice) -> Result<Half, PlanError> {
+pub(super) fn half(scan: &DerivedRaster, v: f64, choice: Choice) -> Result<Half, PlanError> {
     let units = Units::of_motion(v, scan.a1_max);
     let a2 = exponent(scan.a2_max);
     let (d2_step, a2_max) = (units.within(scale(scan.d2_step, -a2), 0, 2), scale(scan.a2_max, -a2));

@@ -4,12 +4,12 @@ mod support;
 
 use closedform_motion::PlanError;
 use closedform_motion::Quantity;
-use closedform_motion::plan::scan_skip::{Choice, Limiting, Ramps, Raster, ScanSkip, ScanSkipPlan};
+use closedform_motion::plan::derived_raster::{Choice, DerivedRaster, DerivedRasterPlan, Limiting, Ramps, Raster};
 use support::{CLOSING, EPS, Random, closing, closing_in_reach, integrates, keeps_limits, problems};
 
 /// The example of the audit: v1_scan = 0.1, a1_max = 50, delta = 1e-4.
-fn example() -> ScanSkip {
-    ScanSkip::new(0.1, 50.0, 2e-4, 2.0, 0.01, 5)
+fn example() -> DerivedRaster {
+    DerivedRaster::new(0.1, 50.0, 2e-4, 2.0, 0.01, 5)
 }
 
 fn rasters() -> [Raster; 4] {
@@ -17,7 +17,7 @@ fn rasters() -> [Raster; 4] {
     [Raster::Snake, back(None), back(Some(0.25)), back(Some(0.04))]
 }
 
-fn check(plan: &ScanSkipPlan, what: &str) {
+fn check(plan: &DerivedRasterPlan, what: &str) {
     let motion = plan.motion().expect(what);
     for axis in motion.axes() {
         integrates(&axis.profile, &format!("{what}: {}", axis.name));
@@ -38,7 +38,7 @@ fn the_audits_example_is_found() {
     assert!((plan.turn.leaving.t_in - 0.012_709_37).abs() < 5e-9, "{}", plan.turn.leaving.t_in);
     assert!((plan.overhead - 3.868_405_243_693e-3).abs() < 5e-16, "{}", plan.overhead);
     assert!((plan.turn.leaving.v1_diff - 0.018).abs() < 1e-3, "{}", plan.turn.leaving.v1_diff);
-    let audit = ScanSkip { choice: Choice::V1Diff(0.018), ..example() }.plan().expect("a plan");
+    let audit = DerivedRaster { choice: Choice::V1Diff(0.018), ..example() }.plan().expect("a plan");
     assert!((audit.turn.leaving.t_in - 0.012_73).abs() < 5e-6, "{}", audit.turn.leaving.t_in);
     assert!((audit.overhead - 3.868e-3).abs() < 5e-7 && plan.overhead < audit.overhead);
     assert_eq!(plan.limiting, Limiting::Both);
@@ -64,7 +64,7 @@ fn every_kind_of_raster_integrates_and_keeps_its_limits() {
         for raster in rasters() {
             for choice in choices {
                 for tick in [None, Some(1e-3), Some(2e-4), Some(1e-7)] {
-                    let scan = ScanSkip { ramps, raster, choice, tick, line_length: 0.02, ..example() };
+                    let scan = DerivedRaster { ramps, raster, choice, tick, line_length: 0.02, ..example() };
                     let what = format!("{scan:?}");
                     check(&scan.plan().expect(&what), &what);
                 }
@@ -77,7 +77,7 @@ fn every_kind_of_raster_integrates_and_keeps_its_limits() {
 fn knots_are_the_boundaries_of_the_motion() {
     for raster in rasters() {
         for tick in [None, Some(1e-4)] {
-            let plan = ScanSkip { raster, tick, ..example() }.plan().expect("a plan");
+            let plan = DerivedRaster { raster, tick, ..example() }.plan().expect("a plan");
             let motion = plan.motion().expect("a motion");
             let knots: Vec<_> = plan.knots().collect();
             assert_eq!(knots.len() as u64, plan.knot_count());
@@ -98,7 +98,7 @@ fn knots_are_the_boundaries_of_the_motion() {
 
 #[test]
 fn a_raster_of_a_million_lines_streams() {
-    let plan = ScanSkip { lines: 1_000_000, tick: Some(1e-4), ..example() }.plan().expect("a plan");
+    let plan = DerivedRaster { lines: 1_000_000, tick: Some(1e-4), ..example() }.plan().expect("a plan");
     let (mut count, mut before) = (0, -1.0);
     for knot in plan.knots() {
         assert!(knot.time > before, "{} after {before}", knot.time);
@@ -110,7 +110,7 @@ fn a_raster_of_a_million_lines_streams() {
 }
 
 /// Overhead by the equations of motion: fly axis to rest with a1_max, step axis by bisection.
-fn overhead(scan: &ScanSkip, v1_diff: f64, t_in: f64) -> f64 {
+fn overhead(scan: &DerivedRaster, v1_diff: f64, t_in: f64) -> f64 {
     let (v, a) = (scan.v1_scan, scan.a1_max);
     let t_out = 2.0 * (v - v1_diff) / (2.0 * v1_diff / t_in + a);
     // the step axis: a2_max*(t_in+x)*(t_in+2*x)/3 = d2_step with the ramp out x
@@ -124,7 +124,7 @@ fn overhead(scan: &ScanSkip, v1_diff: f64, t_in: f64) -> f64 {
 }
 
 /// The least overhead over `t_in`: on a grid, and by thirds around its best point.
-fn brute_t_in(scan: &ScanSkip, u: f64) -> f64 {
+fn brute_t_in(scan: &DerivedRaster, u: f64) -> f64 {
     let (v, a) = (scan.v1_scan, scan.a1_max);
     let shortest = 2.0 * u * v / a;
     let longest = shortest + (3.0 * scan.d2_step / scan.a2_max).sqrt() + v / a;
@@ -140,7 +140,7 @@ fn brute_t_in(scan: &ScanSkip, u: f64) -> f64 {
 }
 
 /// The least overhead over both: a grid, then finer and finer ones around its best point.
-fn brute(scan: &ScanSkip) -> f64 {
+fn brute(scan: &DerivedRaster) -> f64 {
     let (mut best, mut at, mut width) = (f64::INFINITY, 0.5, 0.5);
     for _ in 0..12 {
         let centre = at;
@@ -164,7 +164,7 @@ fn brute_force_does_not_beat_the_fastest() {
     let anywhere: Vec<f64> = (0..20).map(|_| random.decades(-1.0, 3.0)).collect();
     for q in beside.chain([1e-6, 3.6, 4.0, 75.0, 1e6]).chain(anywhere) {
         let (v, a, a2) = (random.decades(-3.0, 1.0), random.decades(0.0, 3.0), random.decades(-1.0, 2.0));
-        let scan = ScanSkip::new(v, a, q * v * v / (3.0 * a * a) * a2, a2, 1.0, 2);
+        let scan = DerivedRaster::new(v, a, q * v * v / (3.0 * a * a) * a2, a2, 1.0, 2);
         let plan = scan.plan().expect("a plan");
         let best = brute(&scan);
         // both evaluate the overhead to less than 20 ulp
@@ -181,7 +181,7 @@ fn brute_force_does_not_beat_what_is_given() {
     let scan = example();
     for u in [0.01, 0.2, 0.5, 0.8, 0.99] {
         let v1_diff = u * scan.v1_scan;
-        let plan = ScanSkip { choice: Choice::V1Diff(v1_diff), ..scan }.plan().expect("a plan");
+        let plan = DerivedRaster { choice: Choice::V1Diff(v1_diff), ..scan }.plan().expect("a plan");
         assert_eq!(plan.turn.leaving.v1_diff, v1_diff);
         let shortest = 2.0 * v1_diff / scan.a1_max;
         for n in 0..20_000 {
@@ -192,7 +192,7 @@ fn brute_force_does_not_beat_what_is_given() {
         }
     }
     for t_out in [1e-4, 1e-3, 1.9e-3, 2.5e-3, 3.9e-3] {
-        let plan = ScanSkip { choice: Choice::TOut(t_out), ..scan }.plan().expect("a plan");
+        let plan = DerivedRaster { choice: Choice::TOut(t_out), ..scan }.plan().expect("a plan");
         assert_eq!(plan.turn.leaving.t_out, t_out);
         for n in 1..20_000 {
             let t_in = f64::from(n) * 1e-6;
@@ -205,10 +205,10 @@ fn brute_force_does_not_beat_what_is_given() {
 }
 
 /// The same scan with lengths times 2^length and times times 2^time.
-fn scaled(scan: &ScanSkip, length: i32, time: i32) -> ScanSkip {
+fn scaled(scan: &DerivedRaster, length: i32, time: i32) -> DerivedRaster {
     let by = |x: f64, length: i32, time: i32| x * 2_f64.powi(length) * 2_f64.powi(time);
     let velocity = |v| by(v, length, -time);
-    ScanSkip {
+    DerivedRaster {
         v1_scan: velocity(scan.v1_scan),
         a1_max: by(scan.a1_max, length, -2 * time),
         d2_step: by(scan.d2_step, length, 0),
@@ -238,7 +238,7 @@ fn powers_of_two_scale_exactly() {
         for choice in choices {
             for raster in rasters() {
                 for (tick, d2_step) in [None, Some(3e-4)].into_iter().flat_map(|t| steps.map(|d| (t, d))) {
-                    let scan = ScanSkip { choice, raster, tick, d2_step, ..example() };
+                    let scan = DerivedRaster { choice, raster, tick, d2_step, ..example() };
                     let (Ok(one), Ok(two)) = (scan.plan(), scaled(&scan, length, time).plan()) else {
                         assert!(scan.plan().is_err() && scaled(&scan, length, time).plan().is_err());
                         continue;
@@ -269,8 +269,8 @@ fn ticks_cost_time_and_pass_no_limit() {
         let ramps = if random.unit() < 0.5 { Ramps::Inside } else { Ramps::Outside };
         let tick = random.decades(-6.0, -1.5);
         let d2_step = random.decades(-7.0, -2.0);
-        let scan = ScanSkip { raster, ramps, d2_step, line_length: 0.1, ..example() };
-        let (Ok(free), Ok(plan)) = (scan.plan(), ScanSkip { tick: Some(tick), ..scan }.plan()) else {
+        let scan = DerivedRaster { raster, ramps, d2_step, line_length: 0.1, ..example() };
+        let (Ok(free), Ok(plan)) = (scan.plan(), DerivedRaster { tick: Some(tick), ..scan }.plan()) else {
             assert!(scan.plan().is_err(), "{scan:?} {tick}");
             continue;
         };
@@ -308,7 +308,7 @@ fn random_problems_over_twelve_decades_plan() {
     let (mut worst, mut planned) = (0.0_f64, 0);
     for n in 0..problems() {
         let mut wide = || random.decades(-6.0, 6.0);
-        let mut scan = ScanSkip::new(wide(), wide(), wide(), wide(), wide(), 3);
+        let mut scan = DerivedRaster::new(wide(), wide(), wide(), wide(), wide(), 3);
         // what may be refused, and for which input
         let mut allowed = "";
         match n % 7 {
@@ -359,7 +359,7 @@ fn random_problems_over_twelve_decades_plan() {
 
 #[test]
 fn what_no_plan_can_do_is_refused() {
-    let refused = |scan: ScanSkip, name: &str| {
+    let refused = |scan: DerivedRaster, name: &str| {
         let error = scan.plan().expect_err(&format!("{scan:?}"));
         let text = error.to_string();
         assert!(text.contains(name), "{text}");
@@ -367,42 +367,42 @@ fn what_no_plan_can_do_is_refused() {
     };
     let bad = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -0.0, -1.0];
     for x in bad {
-        refused(ScanSkip { v1_scan: x, ..example() }, "v1_scan");
-        refused(ScanSkip { a1_max: x, ..example() }, "a1_max");
-        refused(ScanSkip { d2_step: x, ..example() }, "d2_step");
-        refused(ScanSkip { a2_max: x, ..example() }, "a2_max");
-        refused(ScanSkip { line_length: x, ..example() }, "line_length");
-        refused(ScanSkip { tick: Some(x), ..example() }, "tick");
-        refused(ScanSkip { raster: Raster::OneWay { v1_return: Some(x) }, ..example() }, "v1_return");
-        refused(ScanSkip { choice: Choice::TOut(x), ..example() }, "t_out");
-        refused(ScanSkip { choice: Choice::Ramp { v1_diff: 0.01, t_in: x }, ..example() }, "t_in");
+        refused(DerivedRaster { v1_scan: x, ..example() }, "v1_scan");
+        refused(DerivedRaster { a1_max: x, ..example() }, "a1_max");
+        refused(DerivedRaster { d2_step: x, ..example() }, "d2_step");
+        refused(DerivedRaster { a2_max: x, ..example() }, "a2_max");
+        refused(DerivedRaster { line_length: x, ..example() }, "line_length");
+        refused(DerivedRaster { tick: Some(x), ..example() }, "tick");
+        refused(DerivedRaster { raster: Raster::OneWay { v1_return: Some(x) }, ..example() }, "v1_return");
+        refused(DerivedRaster { choice: Choice::TOut(x), ..example() }, "t_out");
+        refused(DerivedRaster { choice: Choice::Ramp { v1_diff: 0.01, t_in: x }, ..example() }, "t_in");
         if x != 0.0 {
-            refused(ScanSkip { choice: Choice::V1Diff(x), ..example() }, "v1_diff");
-            refused(ScanSkip { choice: Choice::Ramp { v1_diff: x, t_in: 0.01 }, ..example() }, "v1_diff");
+            refused(DerivedRaster { choice: Choice::V1Diff(x), ..example() }, "v1_diff");
+            refused(DerivedRaster { choice: Choice::Ramp { v1_diff: x, t_in: 0.01 }, ..example() }, "v1_diff");
         }
     }
-    refused(ScanSkip { lines: 0, ..example() }, "lines");
-    refused(ScanSkip { tick: Some(1e-300), ..example() }, "tick");
-    let error = refused(ScanSkip { choice: Choice::V1Diff(0.1), ..example() }, "v1_diff");
+    refused(DerivedRaster { lines: 0, ..example() }, "lines");
+    refused(DerivedRaster { tick: Some(1e-300), ..example() }, "tick");
+    let error = refused(DerivedRaster { choice: Choice::V1Diff(0.1), ..example() }, "v1_diff");
     assert!(matches!(error, PlanError::Limit { limit: 0.1, needed: 0.1, .. }), "{error}");
     // the fly axis is at rest after 4 ms at the latest
-    let error = refused(ScanSkip { choice: Choice::TOut(0.0041), ..example() }, "t_out");
+    let error = refused(DerivedRaster { choice: Choice::TOut(0.0041), ..example() }, "t_out");
     assert!(matches!(error, PlanError::Limit { limit: 0.004, needed: 0.0041, .. }), "{error}");
     let ramp = Choice::Ramp { v1_diff: 0.05, t_in: 0.001 };
-    let error = refused(ScanSkip { choice: ramp, ..example() }, "a1_max");
+    let error = refused(DerivedRaster { choice: ramp, ..example() }, "a1_max");
     assert!(matches!(error, PlanError::Limit { limit: 50.0, needed: 100.0, .. }), "{error}");
     // a step of the ramps out alone
-    refused(ScanSkip { choice: Choice::V1Diff(0.0), d2_step: 1e-5, ..example() }, "d2_step");
-    refused(ScanSkip { choice: Choice::TOut(0.004), d2_step: 1e-5, ..example() }, "d2_step");
+    refused(DerivedRaster { choice: Choice::V1Diff(0.0), d2_step: 1e-5, ..example() }, "d2_step");
+    refused(DerivedRaster { choice: Choice::TOut(0.004), d2_step: 1e-5, ..example() }, "d2_step");
     // 2*d1_in = 2.4 mm
-    let error = refused(ScanSkip { ramps: Ramps::Inside, line_length: 0.002, ..example() }, "line_length");
+    let error = refused(DerivedRaster { ramps: Ramps::Inside, line_length: 0.002, ..example() }, "line_length");
     assert!(matches!(error, PlanError::Limit { needed, .. } if (needed - 0.0024).abs() < 1e-4), "{error}");
-    refused(ScanSkip { raster: Raster::OneWay { v1_return: Some(10.0) }, ..example() }, "line_length");
+    refused(DerivedRaster { raster: Raster::OneWay { v1_return: Some(10.0) }, ..example() }, "line_length");
     for scan in [
-        ScanSkip { a1_max: 1e-320, ..example() },
-        ScanSkip { d2_step: 1e-320, a2_max: 1e300, ..example() },
-        ScanSkip { v1_scan: 1e300, a1_max: 1e-300, ..example() },
-        ScanSkip { d2_step: 1e300, lines: 1 << 53, ..example() },
+        DerivedRaster { a1_max: 1e-320, ..example() },
+        DerivedRaster { d2_step: 1e-320, a2_max: 1e300, ..example() },
+        DerivedRaster { v1_scan: 1e300, a1_max: 1e-300, ..example() },
+        DerivedRaster { d2_step: 1e300, lines: 1 << 53, ..example() },
     ] {
         refused(scan, "beyond the range");
     }
@@ -448,7 +448,7 @@ fn odd_numbers_give_a_sound_plan_or_an_error() {
     let mut planned = 0;
     for _ in 0..problems() {
         let mut one = |from: usize| odd[from + (random.unit() * (odd.len() - from) as f64) as usize];
-        let mut scan = ScanSkip::new(one(3), one(3), one(3), one(3), one(3), 3);
+        let mut scan = DerivedRaster::new(one(3), one(3), one(3), one(3), one(3), 3);
         scan.choice = match one(0).to_bits() % 5 {
             0 => Choice::V1Diff(one(0)),
             1 => Choice::TOut(one(0)),

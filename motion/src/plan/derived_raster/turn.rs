@@ -2,7 +2,7 @@
 
 use closedform_kernels::{fly_axis, turnaround};
 
-use super::{Ramps, ScanSkip};
+use super::{DerivedRaster, Ramps};
 use crate::plan::units::Units;
 use crate::segment::State;
 
@@ -152,7 +152,7 @@ pub struct Turn {
 
 impl Turn {
     /// With the step, in the least time; `t_edge` is a multiple of the tick.
-    pub(super) fn with_step(scan: &ScanSkip, leaving: Reach, entering: Reach) -> Self {
+    pub(super) fn with_step(scan: &DerivedRaster, leaving: Reach, entering: Reach) -> Self {
         let still = Self::still(leaving, edge(scan, &leaving.half, &entering.half), entering);
         let half_edge = still.t_edge / 2.0;
         let way = |half: &Half| step_time(half, half_edge);
@@ -236,7 +236,7 @@ fn is_symmetric(a: &Half, b: &Half) -> bool {
 }
 
 /// The least rest with which the step keeps `a2_max`.
-fn edge(scan: &ScanSkip, a: &Half, b: &Half) -> f64 {
+fn edge(scan: &DerivedRaster, a: &Half, b: &Half) -> f64 {
     let slower = a.time().min(b.time());
     let ways = step_time(a, 0.0) + step_time(b, 0.0);
     if 2.0 * scan.d2_step / (ways * slower) <= scan.a2_max * (1.0 + SLACK) {
