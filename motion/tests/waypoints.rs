@@ -157,7 +157,7 @@ fn numbers(segment: &Segment) -> [f64; 6] {
 }
 
 fn plan(problem: Problem, points: &[Vec<f64>], timing: Timing) -> WaypointPlan {
-    Waypoints { problem, points: points.to_vec(), timing }.plan().unwrap()
+    Waypoints::new(problem, points.to_vec(), timing).plan().unwrap()
 }
 
 fn profile(problem: Problem, p: &[f64], t: &[f64]) -> Profile {
@@ -422,8 +422,7 @@ fn times_by_distance_do_not_overflow() {
         for power in [-1000, -540, -300, 0, 300, 540, 1000] {
             let length = 2_f64.powi(power);
             let path: Vec<Vec<f64>> = points.iter().map(|point| point.map(|x| x * length).to_vec()).collect();
-            let plan =
-                Waypoints { problem: Problem::Linear, points: path, timing: Timing::Speed(length) }.plan().unwrap();
+            let plan = Waypoints::new(Problem::Linear, path, Timing::Speed(length)).plan().unwrap();
             assert_eq!(plan.durations(), [5.0, 2.0, 3.0]);
         }
     }
@@ -460,7 +459,7 @@ fn a_long_path_takes_linear_time() {
 /// One to change.
 fn good() -> Waypoints {
     let points = vec![vec![0.0, 0.0], vec![1.0, 0.0], vec![1.0, 1.0], vec![2.0, 3.0]];
-    Waypoints { problem: Problem::CubicsAtRest, points, timing: Timing::Speed(1.0) }
+    Waypoints::new(Problem::CubicsAtRest, points, Timing::Speed(1.0))
 }
 
 fn message(change: impl FnOnce(&mut Waypoints)) -> String {
@@ -500,7 +499,7 @@ fn bad_input_is_named() {
 fn beyond_the_range_is_an_error_not_a_number() {
     let far = |points: [f64; 4], timing: Timing| {
         let points = points.map(|x| vec![x]).to_vec();
-        Waypoints { problem: Problem::QuarticCubicQuarticAtRest, points, timing }.plan()
+        Waypoints::new(Problem::QuarticCubicQuarticAtRest, points, timing).plan()
     };
     let range = |result: Result<WaypointPlan, PlanError>| matches!(result, Err(PlanError::Range { .. }));
     assert!(range(far([-1.7e308, 1.7e308, 0.0, 1.0], Timing::Speed(1.0))));
@@ -525,7 +524,7 @@ fn any_numbers_give_a_plan_or_an_error() {
         .run(&(numbers(), numbers(), any::<f64>(), 0..6_usize), |(p, t, speed, problem)| {
             for timing in [Timing::Durations(t.clone()), Timing::Speed(speed)] {
                 let points = p.iter().map(|p| vec![*p]).collect();
-                let waypoints = Waypoints { problem: Problem::ALL[problem], points, timing };
+                let waypoints = Waypoints::new(Problem::ALL[problem], points, timing);
                 if let Ok(plan) = waypoints.plan() {
                     check_joints(waypoints.problem, &p, &plan.profiles()[0]);
                 }

@@ -138,7 +138,7 @@ const CIRCLES: [(&str, &[&str], &str); 30] = [
     ("motion/src/plan/milling/gcode", &["mod.rs", "modal.rs", "reader.rs"], WHOLE),
     ("motion/src/plan/milling", &["mod.rs", "timer.rs"], WHOLE),
     ("motion/src/plan/derived_raster", &["choose.rs", "mod.rs", "quantise.rs", "turn.rs"], WHOLE),
-    ("motion/src/plan/waypoints", &["four.rs", "input.rs", "mod.rs", "spline.rs"], WHOLE),
+    ("motion/src/plan/waypoints", &["fastest.rs", "four.rs", "input.rs", "mod.rs", "spline.rs"], WHOLE),
     ("motion/src/plot", &["drawing.rs", "file.rs"], TYPES),
     ("motion/src/plot", &["path.rs", "picture.rs"], TYPES),
     ("motion/src/table", &["columns.rs", "csv.rs", "file.rs", "json.rs", "mod.rs", "moves.rs"], WHOLE),
