@@ -109,7 +109,7 @@ fn dashed(svg: &str) -> BTreeMap<String, usize> {
 fn legible(svg: &str) -> Result<(), TestCaseError> {
     let texts = texts(svg);
     for (index, a) in texts.iter().enumerate() {
-        prop_assert!(a.left >= 0.0 && a.right <= 600.0 && a.top >= 0.0, "outside: {a:?}");
+        prop_assert!(a.left >= 0.0 && a.right <= 480.0 && a.top >= 0.0, "outside: {a:?}");
         for b in &texts[..index] {
             let apart = a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
             prop_assert!(apart, "{a:?} lies over {b:?}");

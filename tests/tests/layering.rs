@@ -7,7 +7,7 @@ use closedform_tests::layering::{self, Edge};
 use closedform_tests::workspace::{self, Source};
 
 /// What crates may depend on, among those of the workspace.
-const CRATES: [(&str, &str); 48] = [
+const CRATES: [(&str, &str); 49] = [
     ("closedform", "closedform-arith"),
     ("closedform", "closedform-derive"),
     ("closedform-bounds", "closedform-arith"),
@@ -38,6 +38,7 @@ const CRATES: [(&str, &str); 48] = [
     ("closedform-measure", "closedform-system"),
     ("closedform-motion", "closedform"),
     ("closedform-motion", "closedform-kernels"),
+    ("closedform-motion", "closedform-player"),
     ("closedform-mutants", "closedform"),
     ("closedform-mutants", "closedform-bounds"),
     ("closedform-mutants", "closedform-measure"),

@@ -41,6 +41,9 @@ pub struct Output {
     /// Draw the picture for a dark screen
     #[arg(long)]
     pub dark: bool,
+    /// Draw the panels of the picture in two columns
+    #[arg(long)]
+    pub wide: bool,
     /// Print the summary as JSON
     #[arg(long)]
     pub json: bool,
@@ -145,7 +148,7 @@ impl Output {
     /// Writes the picture, if one is asked for.
     pub fn picture(&self, summary: &mut Summary, picture: Picture) -> Outcome<()> {
         let Some(path) = &self.picture else { return Ok(()) };
-        picture.theme(self.theme()).save(path).map_err(|error| Failure::from(error).at(path))?;
+        picture.theme(self.theme()).wide(self.wide).save(path).map_err(|error| Failure::from(error).at(path))?;
         summary.file(path, None);
         Ok(())
     }

@@ -1,9 +1,9 @@
 //! The motions of the README's pictures.
 
-use closedform_motion::Motion;
-use closedform_motion::plan::derived_raster::DerivedRaster;
+use closedform_motion::plan::raster_scan::RasterScan;
 use closedform_motion::plan::step_move::{StepMove, StepShape};
 use closedform_motion::plan::waypoints::{Problem, Timing, Waypoints};
+use closedform_motion::{Limits, Motion};
 
 use crate::error::{Failure, Outcome};
 
@@ -21,7 +21,8 @@ pub fn step() -> Outcome<Motion> {
     Ok(plan.motion().clone())
 }
 
-/// Two lines with the fastest turn-around, whose optimum is inside.
+/// Two lines with the fastest turn-around.
 pub fn scan() -> Outcome<Motion> {
-    Ok(DerivedRaster::new(0.1, 50.0, 2e-4, 2.0, 5e-3, 2).plan()?.motion()?)
+    let limits = |acceleration, jerk| Limits { velocity: f64::INFINITY, acceleration, jerk };
+    Ok(RasterScan::new(0.1, 5e-3, 2e-4, 2, limits(50.0, 2e4), limits(2.0, 1e3)).plan()?.motion(2)?)
 }
