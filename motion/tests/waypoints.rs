@@ -472,8 +472,17 @@ fn message(change: impl FnOnce(&mut Waypoints)) -> String {
 fn bad_input_is_named() {
     let speed = |speed: f64| message(|w| w.timing = Timing::Speed(speed));
     let durations = |durations: &[f64]| message(|w| w.timing = Timing::Durations(durations.to_vec()));
-    assert_eq!(message(|w| w.points.truncate(3)), "number of points is 3: give at least four");
-    assert_eq!(message(|w| w.points.clear()), "number of points is 0: give at least four");
+    let few = |count: usize, problem| {
+        message(|w| {
+            w.points.truncate(count);
+            w.problem = problem;
+        })
+    };
+    let natural = Problem::QuadraticLinearQuadratic;
+    let remedy = "give at least four, or with three points problem a, e or f";
+    assert_eq!(few(3, natural), format!("number of points is 3: {remedy}"));
+    assert_eq!(few(2, natural), "number of points is 2: give at least four, or with two points problem a or e");
+    assert_eq!(few(0, Problem::CubicsAtRest), "number of points is 0: give at least two");
     assert_eq!(
         message(|w| w.points[2] = w.points[1].clone()),
         "points 1 and 2 are the same, so the way between them takes no time: drop one, or give durations"
@@ -482,7 +491,7 @@ fn bad_input_is_named() {
         message(|w| w.points[2] = vec![1.0]),
         "point 2: number of coordinates is 1: give all points as many as point 0"
     );
-    assert_eq!(message(|w| w.points[0] = vec![]), "point 0: number of coordinates is 0: give one, two or three");
+    assert_eq!(message(|w| w.points[0] = vec![]), "point 0: number of coordinates is 0: give one or more");
     assert_eq!(message(|w| w.points[3][1] = f64::NAN), "point 3: a coordinate is NaN: make all coordinates finite");
     assert_eq!(
         message(|w| w.points[3][1] = f64::INFINITY),
