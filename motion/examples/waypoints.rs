@@ -13,7 +13,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let letter = std::env::args().nth(2).and_then(|text| text.chars().next()).unwrap_or('b');
     let problem = Problem::of_letter(letter).ok_or("give a letter from a to f")?;
     let points = vec![vec![0.0, 0.0], vec![0.2, 0.4], vec![0.7, 0.5], vec![1.0, 0.1]];
-    let plan = Waypoints { problem, points: points.clone(), timing: Timing::Speed(1.0) }.plan()?;
+    let plan = Waypoints::new(problem, points.clone(), Timing::Speed(1.0)).plan()?;
     let motion = plan.motion();
 
     // The velocity jumps in problem (a): that is no table for a controller.

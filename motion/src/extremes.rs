@@ -31,15 +31,15 @@ impl Quantity {
     }
 }
 
-impl Sample {
-    /// One of its numbers.
+impl Quantity {
+    /// Of a sample.
     #[must_use]
-    pub const fn get(&self, quantity: Quantity) -> f64 {
-        match quantity {
-            Quantity::Position => self.position,
-            Quantity::Velocity => self.velocity,
-            Quantity::Acceleration => self.acceleration,
-            Quantity::Jerk => self.jerk,
+    pub const fn of(self, sample: &Sample) -> f64 {
+        match self {
+            Self::Position => sample.position,
+            Self::Velocity => sample.velocity,
+            Self::Acceleration => sample.acceleration,
+            Self::Jerk => sample.jerk,
         }
     }
 }
@@ -88,12 +88,12 @@ impl Profile {
     /// neighbouring floats; an error of the time there enters the value by its square only.
     #[must_use]
     pub fn extremes(&self, quantity: Quantity) -> Extremes {
-        let start = Extremum { value: self.segments()[0].at(0.0).get(quantity), time: 0.0 };
+        let start = Extremum { value: quantity.of(&self.segments()[0].at(0.0)), time: 0.0 };
         let mut extremes = Extremes { least: start, largest: start };
         for (segment, begin) in self.segments().iter().zip(self.times()) {
             let inside = quantity.derivative().map_or_else(Vec::new, |next| zeros(segment, next));
             for time in [0.0].into_iter().chain(inside).chain([segment.duration]) {
-                extremes.include(Extremum { value: segment.at(time).get(quantity), time: begin + time });
+                extremes.include(Extremum { value: quantity.of(&segment.at(time)), time: begin + time });
             }
         }
         extremes
@@ -102,7 +102,7 @@ impl Profile {
 
 /// The times inside a segment where a quantity changes sign, in order.
 fn zeros(segment: &Segment, quantity: Quantity) -> Vec<f64> {
-    let value = |time: f64| segment.at(time).get(quantity);
+    let value = |time: f64| quantity.of(&segment.at(time));
     // Between the zeros of its derivative it is monotonic: it changes sign once at most. The highest, jerk, is linear.
     let mut found = Vec::new();
     let mut low = 0.0;

@@ -3,6 +3,7 @@
 //! A planner takes what is known of a move and the limits of its axes, and returns a plan or an error that names the limit
 //! that fails and by how much. A plan becomes a [`Motion`]: one [`Profile`] an axis, on one clock.
 
+pub mod controller;
 pub mod error;
 pub mod extremes;
 mod file;

@@ -1,5 +1,7 @@
 //! A profile: the motion of one axis, segment after segment.
 
+use closedform_player::Player;
+
 use crate::segment::{Sample, Segment, State};
 
 /// Why segments do not make a profile.
@@ -91,16 +93,20 @@ impl Profile {
         self.in_segment(self.segment_at(time), time)
     }
 
+    /// As a controller plays it: the same bits, without allocation.
+    #[must_use]
+    pub fn player(&self) -> Player<'_> {
+        Player::new(&self.segments, &self.times).expect("one time more than segments")
+    }
+
     /// The index of the segment at a time: of two that meet there the later one.
     pub(crate) fn segment_at(&self, time: f64) -> usize {
-        let later = self.times.partition_point(|start| *start <= time);
-        later.saturating_sub(1).min(self.segments.len() - 1)
+        self.player().segment_at(time)
     }
 
     /// At a time, by the segment it lies in.
     pub(crate) fn in_segment(&self, index: usize, time: f64) -> Sample {
-        let segment = &self.segments[index];
-        segment.at((time - self.times[index]).clamp(0.0, segment.duration))
+        self.player().in_segment(index, time)
     }
 }
 

@@ -9,7 +9,8 @@ use closedform_motion::table::load;
 use serde_json::Value;
 
 const SCAN: &str = "--v1-scan 0.1 --a1-max 50 --d2-step 2e-4 --a2-max 2 --line-length 0.005 --lines 4";
-const STEP: &str = "--travel 1e-3 --a3 -0.25 --t1 0.015";
+const STEP: &str = "--travel 1e-3 --a3 -2.5e-1 --t1 0.015";
+const FASTEST: &str = "--travel 1e-3 --v-max 0.1 --a-max 2 --j-max 200";
 const FIVE: &str = "--delta-x 0.01 --ki 0.1 --t0 0.1 --t1 0.1 --t2 0.1";
 const WAYPOINTS: &str = "--point 0,0 --point 0.2,0.4 --point 0.7,-0.5 --point -1,0.1";
 const PROGRAM: &str = "G21 G90\nG0 X10 Y10\nG1 Z-1 F1200\nX50\nY40\nG2 X30 Y20 I-20 J0\nG0 Z5\nM30\n";
@@ -42,8 +43,10 @@ fn bad(folder: &Path, arguments: &str, code: i32) -> String {
 
 fn kinds() -> Vec<(&'static str, String)> {
     vec![
-        ("scan-skip", SCAN.to_owned()),
+        ("raster-scan", SCAN.to_owned()),
+        ("raster-scan", format!("{SCAN} --shape derivation")),
         ("step", STEP.to_owned()),
+        ("step", FASTEST.to_owned()),
         ("five-segment", FIVE.to_owned()),
         ("waypoints", WAYPOINTS.to_owned()),
         ("milling", "--gcode a.nc".to_owned()),
@@ -115,10 +118,10 @@ fn a_file_says_what_flags_say_and_flags_come_first() {
         good(folder.path(), &format!("plan waypoints {WAYPOINTS}"))
     );
     fs::write(folder.path().join("points.csv"), "x,y\n0,0\n0.2,0.4\n0.7,-0.5\n-1,0.1\n").expect("written");
-    assert_eq!(
-        good(folder.path(), "plan waypoints --points-file points.csv"),
-        good(folder.path(), &format!("plan waypoints {WAYPOINTS}"))
-    );
+    let output = run(folder.path(), "plan waypoints --points-file points.csv");
+    assert_eq!(String::from_utf8_lossy(&output.stdout), good(folder.path(), &format!("plan waypoints {WAYPOINTS}")));
+    let said = "points.csv: passed over: line 1: names of columns\n";
+    assert_eq!(String::from_utf8_lossy(&output.stderr), said);
 }
 
 #[test]
@@ -126,7 +129,7 @@ fn bad_input_is_one_line_and_exit_code_2() {
     let folder = folder();
     let path = folder.path();
     let error = bad(path, "plan scan-skip --v1-scan 0.1 --table a.csv", 2);
-    assert!(error.contains("a1-max is missing: give"), "{error}");
+    assert!(error.contains("line-length is missing: give"), "{error}");
     let error = bad(path, &format!("plan step {STEP} --travel -1").replace("--travel 1e-3 ", ""), 2);
     assert!(error.contains("travel is -1"), "{error}");
     for number in ["nan", "inf", "0", "-5"] {
@@ -139,7 +142,8 @@ fn bad_input_is_one_line_and_exit_code_2() {
     bad(path, "plan milling --gcode none.nc", 2);
     bad(path, "plan milling", 2);
     bad(path, "plan milling --gcode a.nc --acceleration 1,2 --table a.csv", 2);
-    bad(path, "plan waypoints --point 0,0 --point 1,1", 2);
+    bad(path, "plan waypoints --point 0,0", 2);
+    bad(path, "plan waypoints --point 0,0 --point 1,1 --problem d", 2);
     bad(path, &format!("plan waypoints {WAYPOINTS} --problem z"), 2);
     bad(path, &format!("plan waypoints {WAYPOINTS} --problem a --table a.csv"), 2);
     bad(path, &format!("plan waypoints {WAYPOINTS} --tolerance 0 --table a.csv"), 2);
@@ -202,7 +206,9 @@ fn files_that_the_plan_is_read_from_stay() {
 #[test]
 fn help_and_version_name_the_command_that_was_typed() {
     let folder = folder();
-    assert!(good(folder.path(), "plan scan-skip --help").contains("Usage: closedform-motion plan scan-skip [OPTIONS]"));
+    assert!(
+        good(folder.path(), "plan scan-skip --help").contains("Usage: closedform-motion plan raster-scan [OPTIONS]")
+    );
     assert!(good(folder.path(), "--help").contains("Usage: closedform-motion <COMMAND>"));
     assert!(good(folder.path(), "--version").starts_with("closedform-motion "));
     assert!(!good(folder.path(), "--help").contains("gallery"));
@@ -238,4 +244,112 @@ fn nobody_reads_on_or_the_disk_is_full() {
     for errors in [full(), closed()] {
         assert_eq!(run("plan step", Stdio::null(), errors).status.code(), Some(2));
     }
+}
+
+#[test]
+fn limits_in_and_the_fastest_out() {
+    let folder = folder();
+    let path = folder.path();
+    let duration = |arguments: &str| {
+        let json = good(path, &format!("{arguments} --json"));
+        serde_json::from_str::<Value>(&json).expect("JSON")["facts"]["duration"]["value"].as_f64().expect("a number")
+    };
+    // twice the square root of travel by acceleration
+    assert!((duration("plan step --travel 1e-3 --a-max 2") - 2.0 * (5e-4_f64).sqrt()).abs() < 1e-15);
+    assert!((duration("plan step --travel -1e-3 --j-max 4") - 4.0 * (1e-3_f64 / 8.0).cbrt()).abs() < 1e-15);
+    assert!((duration("plan step --travel 1e-3 --a-max 2 --time 3") - 3.0).abs() < 1e-15);
+    assert!(bad(path, "plan step --travel 1e-3 --a-max 2 --time 1e-3", 2).contains("time is limited to"));
+    assert!(bad(path, "plan step --travel 1e-3 --v-max 2", 2).contains("give --a-max"));
+    let jump = bad(path, "plan step --travel 1e-3 --a3 -0.25 --t1 0.015 --j-max 200", 2);
+    assert!(jump.contains("the acceleration jumps by 0.0026"), "{jump}");
+    assert!(good(path, &format!("plan scan-skip {SCAN}")).contains("jump of acceleration of fly   50 m/s²"));
+    assert!((duration(&format!("plan raster-scan {}", SCAN.replace("--lines 4", "--lines 2"))) - 0.124).abs() < 1e-15);
+    let two = "plan waypoints --point 0,0,0,0,0,0,0 --point 1,2,3,4,5,6,7 --v-max 1";
+    assert!((duration(two) - 10.5).abs() < 1e-12);
+    assert!(
+        good(path, "plan waypoints --point 0 --point 0.5 --point 1 --point 10 --times 1,1,1").contains("overshoot")
+    );
+}
+
+#[test]
+fn one_line_has_no_turn_around_and_names_are_aliases() {
+    let folder = folder();
+    let path = folder.path();
+    let text = good(path, &format!("plan scan-skip {}", SCAN.replace("--lines 4", "--lines 1")));
+    assert!(!text.contains("turn-around ") && !text.contains("overhead"), "{text}");
+    let new = SCAN.replace("--v1-scan", "--v-scan").replace("--a1-max", "--fly-a-max");
+    let new = new.replace("--d2-step", "--step").replace("--a2-max", "--step-a-max");
+    assert_eq!(good(path, &format!("plan raster-scan {new}")), good(path, &format!("plan scan-skip {SCAN}")));
+    let endless = run(path, &format!("plan scan-skip {}", SCAN.replace("--lines 4", "--lines 18446744073709551615")));
+    assert_eq!(endless.status.code(), Some(2));
+    bad(path, &format!("plan raster-scan {SCAN} --v1-diff 0 --fly-j-max 3"), 2);
+    bad(path, &format!("plan raster-scan {SCAN} --triggers t.csv"), 2);
+    let flags =
+        format!("plan raster-scan {SCAN} --pixels 10 --triggers t.csv --tick 0.00025 --durations --table d.csv");
+    good(path, &flags);
+    assert_eq!(fs::read_to_string(path.join("t.csv")).expect("triggers").lines().count(), 41);
+    for line in fs::read_to_string(path.join("d.csv")).expect("a table").lines().skip(1) {
+        let duration = line.split(',').next().expect("a field");
+        assert!(["0.0", "0.002", "0.05", "0.01"].contains(&duration), "{duration}");
+    }
+}
+
+#[test]
+fn points_come_as_people_write_them() {
+    let folder = folder();
+    let path = folder.path();
+    let right = good(path, &format!("plan waypoints {WAYPOINTS}"));
+    for text in [
+        "\u{feff}0,0\n0.2,0.4\n0.7,-0.5\n-1,0.1\n",
+        "0 0\n0.2\t0.4\n\n 0.7  -5e-1\r\n-1 0.1",
+        "0;0\n0.2;0.4;\n0.7; -0.5\n\"-1\";\"0.1\"\n",
+        "# points\n0,0,\n0.2,0.4,\n0.7,-0.5,\n-1,0.1,\n",
+    ] {
+        fs::write(path.join("p.csv"), text).expect("written");
+        assert_eq!(good(path, "plan waypoints --points-file p.csv"), right, "{text:?}");
+    }
+    fs::write(path.join("p.csv"), "0.0.0,0\n0.2,0.4\n0.7,-0.5\n-1,0.1\n").expect("written");
+    assert!(bad(path, "plan waypoints --points-file p.csv", 2).contains("line 1: `0.0.0` is not a number"));
+    fs::create_dir(path.join("sub")).expect("a folder");
+    fs::write(path.join("sub/p.csv"), "0,0\n0.2,0.4\n0.7,-0.5\n-1,0.1\n").expect("written");
+    fs::write(path.join("sub/p.toml"), "points-file = \"p.csv\"\n").expect("written");
+    assert_eq!(good(path, "plan waypoints --file sub/p.toml"), right);
+}
+
+#[test]
+fn a_dash_is_standard_input_and_output() {
+    use std::io::Write;
+    use std::process::Stdio;
+
+    let folder = folder();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_closedform-motion"));
+    command.current_dir(&folder).args("plan waypoints --points-file - --table -".split(' '));
+    let mut child =
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("starts");
+    child.stdin.take().expect("a pipe").write_all(b"0,0\n1,2\n").expect("written");
+    let output = child.wait_with_output().expect("ends");
+    assert!(output.status.success());
+    let table = String::from_utf8(output.stdout).expect("text");
+    assert!(table.starts_with("time [s],X position [m],X velocity [m/s],Y position [m]") && table.lines().count() == 3);
+    assert!(String::from_utf8(output.stderr).expect("text").contains("duration"));
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_no_file() {
+    let folder = folder();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_closedform-motion"));
+    let flags = SCAN.replace("--lines 4", "--lines 100000000");
+    command.current_dir(&folder).args(format!("plan raster-scan {flags} --table a.csv").split(' '));
+    let mut child = command.spawn().expect("starts");
+    let begun = |name: &std::ffi::OsStr| name.to_string_lossy().starts_with(".closedform-");
+    let names = || fs::read_dir(&folder).expect("a folder").map(|entry| entry.expect("an entry").file_name());
+    while !names().any(|name| begun(&name)) {
+        assert!(child.try_wait().expect("a child").is_none(), "it ended");
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("kill runs");
+    assert!(killed.success());
+    assert_eq!(child.wait().expect("ends").code(), Some(130));
+    assert!(!names().any(|name| begun(&name)));
 }

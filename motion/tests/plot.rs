@@ -109,7 +109,7 @@ fn dashed(svg: &str) -> BTreeMap<String, usize> {
 fn legible(svg: &str) -> Result<(), TestCaseError> {
     let texts = texts(svg);
     for (index, a) in texts.iter().enumerate() {
-        prop_assert!(a.left >= 0.0 && a.right <= 600.0 && a.top >= 0.0, "outside: {a:?}");
+        prop_assert!(a.left >= 0.0 && a.right <= 480.0 && a.top >= 0.0, "outside: {a:?}");
         for b in &texts[..index] {
             let apart = a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
             prop_assert!(apart, "{a:?} lies over {b:?}");
@@ -191,7 +191,7 @@ fn a_png_shows_what_the_svg_says() {
         let drawing =
             Picture::new(&motion).title("A < B & C").theme(theme).marks(vec![mark]).draw().expect("a picture");
         let (width, pixels) = pixels(&drawing.png().expect("a PNG"));
-        assert_eq!(width, 1200);
+        assert_eq!(width, 960);
         let rgb = |colour: &str| [1, 3, 5].map(|at| u8::from_str_radix(&colour[at..at + 2], 16).expect("a colour"));
         let count = |colour: &str, rows: std::ops::Range<usize>| {
             pixels[rows.start * width..rows.end * width].iter().filter(|pixel| **pixel == rgb(colour)).count()
@@ -237,7 +237,7 @@ fn what_cannot_be_drawn_is_said() {
     assert!(refused(Picture::new(&Motion::new(vec![still]))).contains("no time"));
     let folder = tempfile::tempdir().expect("a folder");
     let error = Picture::new(&one).save(&folder.path().join("a.bmp")).expect_err("no such format");
-    assert!(error.to_string().ends_with("a picture is a file that ends in .svg or .png"));
+    assert!(error.to_string().ends_with("a picture is a file that ends in .svg, .png or .html"));
     assert!(matches!(Picture::new(&one).save(&folder.path().join("none/a.svg")), Err(PlotError::Io(_))));
 }
 

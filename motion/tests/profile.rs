@@ -126,7 +126,7 @@ proptest! {
             prop_assert_eq!(q.extremes(quantity).largest.value, largest.value * unit);
             prop_assert_eq!(q.extremes(quantity).least.time, least.time);
             for n in 0..=400 {
-                let value = p.at(p.duration() * f64::from(n) / 400.0).get(quantity);
+                let value = quantity.of(&p.at(p.duration() * f64::from(n) / 400.0));
                 prop_assert!(value >= least.value - 16.0 * EPS * size && value <= largest.value + 16.0 * EPS * size);
             }
         }
@@ -147,6 +147,27 @@ proptest! {
         p.sample_into(&times, &mut samples)?;
         for (time, sample) in times.iter().zip(samples) {
             prop_assert_eq!(sample, p.at(*time));
+        }
+    }
+}
+
+/// A controller that has the segments and their times plays the same bits, also at the rows of the table.
+#[test]
+fn a_player_has_the_bits_of_the_table() {
+    use closedform_motion::plan::raster_scan::RasterScan;
+    use closedform_motion::table::knots;
+    use closedform_motion::{Limits, Motion};
+
+    let limits = |acceleration| Limits { velocity: 0.5, acceleration, jerk: 1e4 };
+    let scan = RasterScan { tick: Some(1e-4), ..RasterScan::new(0.1, 0.01, 3e-4, 5, limits(20.0), limits(3.0)) };
+    let motion: Motion = scan.plan().expect("a plan").motion(5).expect("a motion");
+    let mut cursors: Vec<_> = motion.axes().iter().map(|axis| axis.profile.player().cursor()).collect();
+    for knot in knots(&motion, 1e-9).expect("rows") {
+        for (axis, (cursor, state)) in motion.axes().iter().zip(cursors.iter_mut().zip(&knot.states)) {
+            let played = cursor.at(knot.time);
+            assert_eq!((played.position, played.velocity), (state.position, state.velocity));
+            assert_eq!(axis.profile.player().at(knot.time), played);
+            assert_eq!(axis.profile.at(knot.time), played);
         }
     }
 }

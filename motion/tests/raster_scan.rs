@@ -22,7 +22,7 @@ fn example() -> RasterScan {
 fn random(random: &mut Random, ticks: bool) -> RasterScan {
     let (length, time) = (random.decades(-6.0, 6.0), random.decades(-6.0, 6.0));
     let velocity = length / time * random.decades(-1.0, 1.0);
-    let mut axis = |random: &mut Random, least: f64| Limits {
+    let axis = |random: &mut Random, least: f64| Limits {
         velocity: if random.unit() < 0.3 { NONE } else { least * random.decades(0.0, 1.0) },
         acceleration: length / time / time * random.decades(-1.0, 2.0),
         jerk: if random.unit() < 0.3 { NONE } else { length / time / time / time * random.decades(-1.0, 4.0) },

@@ -157,7 +157,7 @@ fn numbers(segment: &Segment) -> [f64; 6] {
 }
 
 fn plan(problem: Problem, points: &[Vec<f64>], timing: Timing) -> WaypointPlan {
-    Waypoints { problem, points: points.to_vec(), timing }.plan().unwrap()
+    Waypoints::new(problem, points.to_vec(), timing).plan().unwrap()
 }
 
 fn profile(problem: Problem, p: &[f64], t: &[f64]) -> Profile {
@@ -422,8 +422,7 @@ fn times_by_distance_do_not_overflow() {
         for power in [-1000, -540, -300, 0, 300, 540, 1000] {
             let length = 2_f64.powi(power);
             let path: Vec<Vec<f64>> = points.iter().map(|point| point.map(|x| x * length).to_vec()).collect();
-            let plan =
-                Waypoints { problem: Problem::Linear, points: path, timing: Timing::Speed(length) }.plan().unwrap();
+            let plan = Waypoints::new(Problem::Linear, path, Timing::Speed(length)).plan().unwrap();
             assert_eq!(plan.durations(), [5.0, 2.0, 3.0]);
         }
     }
@@ -460,7 +459,7 @@ fn a_long_path_takes_linear_time() {
 /// One to change.
 fn good() -> Waypoints {
     let points = vec![vec![0.0, 0.0], vec![1.0, 0.0], vec![1.0, 1.0], vec![2.0, 3.0]];
-    Waypoints { problem: Problem::CubicsAtRest, points, timing: Timing::Speed(1.0) }
+    Waypoints::new(Problem::CubicsAtRest, points, Timing::Speed(1.0))
 }
 
 fn message(change: impl FnOnce(&mut Waypoints)) -> String {
@@ -473,8 +472,17 @@ fn message(change: impl FnOnce(&mut Waypoints)) -> String {
 fn bad_input_is_named() {
     let speed = |speed: f64| message(|w| w.timing = Timing::Speed(speed));
     let durations = |durations: &[f64]| message(|w| w.timing = Timing::Durations(durations.to_vec()));
-    assert_eq!(message(|w| w.points.truncate(3)), "number of points is 3: give at least four");
-    assert_eq!(message(|w| w.points.clear()), "number of points is 0: give at least four");
+    let few = |count: usize, problem| {
+        message(|w| {
+            w.points.truncate(count);
+            w.problem = problem;
+        })
+    };
+    let natural = Problem::QuadraticLinearQuadratic;
+    let remedy = "give at least four, or with three points problem a, e or f";
+    assert_eq!(few(3, natural), format!("number of points is 3: {remedy}"));
+    assert_eq!(few(2, natural), "number of points is 2: give at least four, or with two points problem a or e");
+    assert_eq!(few(0, Problem::CubicsAtRest), "number of points is 0: give at least two");
     assert_eq!(
         message(|w| w.points[2] = w.points[1].clone()),
         "points 1 and 2 are the same, so the way between them takes no time: drop one, or give durations"
@@ -483,7 +491,7 @@ fn bad_input_is_named() {
         message(|w| w.points[2] = vec![1.0]),
         "point 2: number of coordinates is 1: give all points as many as point 0"
     );
-    assert_eq!(message(|w| w.points[0] = vec![]), "point 0: number of coordinates is 0: give one, two or three");
+    assert_eq!(message(|w| w.points[0] = vec![]), "point 0: number of coordinates is 0: give one or more");
     assert_eq!(message(|w| w.points[3][1] = f64::NAN), "point 3: a coordinate is NaN: make all coordinates finite");
     assert_eq!(
         message(|w| w.points[3][1] = f64::INFINITY),
@@ -500,7 +508,7 @@ fn bad_input_is_named() {
 fn beyond_the_range_is_an_error_not_a_number() {
     let far = |points: [f64; 4], timing: Timing| {
         let points = points.map(|x| vec![x]).to_vec();
-        Waypoints { problem: Problem::QuarticCubicQuarticAtRest, points, timing }.plan()
+        Waypoints::new(Problem::QuarticCubicQuarticAtRest, points, timing).plan()
     };
     let range = |result: Result<WaypointPlan, PlanError>| matches!(result, Err(PlanError::Range { .. }));
     assert!(range(far([-1.7e308, 1.7e308, 0.0, 1.0], Timing::Speed(1.0))));
@@ -525,7 +533,7 @@ fn any_numbers_give_a_plan_or_an_error() {
         .run(&(numbers(), numbers(), any::<f64>(), 0..6_usize), |(p, t, speed, problem)| {
             for timing in [Timing::Durations(t.clone()), Timing::Speed(speed)] {
                 let points = p.iter().map(|p| vec![*p]).collect();
-                let waypoints = Waypoints { problem: Problem::ALL[problem], points, timing };
+                let waypoints = Waypoints::new(Problem::ALL[problem], points, timing);
                 if let Ok(plan) = waypoints.plan() {
                     check_joints(waypoints.problem, &p, &plan.profiles()[0]);
                 }

@@ -7,7 +7,7 @@ use closedform_tests::layering::{self, Edge};
 use closedform_tests::workspace::{self, Source};
 
 /// What crates may depend on, among those of the workspace.
-const CRATES: [(&str, &str); 52] = [
+const CRATES: [(&str, &str); 53] = [
     ("closedform", "closedform-arith"),
     ("closedform", "closedform-derive"),
     ("closedform-bounds", "closedform-arith"),
@@ -40,6 +40,7 @@ const CRATES: [(&str, &str); 52] = [
     ("closedform-measure", "closedform-system"),
     ("closedform-motion", "closedform"),
     ("closedform-motion", "closedform-kernels"),
+    ("closedform-motion", "closedform-player"),
     ("closedform-mutants", "closedform"),
     ("closedform-mutants", "closedform-bounds"),
     ("closedform-mutants", "closedform-measure"),
@@ -142,7 +143,7 @@ const CIRCLES: [(&str, &[&str], &str); 30] = [
     ("motion/src/plan/milling/gcode", &["mod.rs", "modal.rs", "reader.rs"], WHOLE),
     ("motion/src/plan/milling", &["mod.rs", "timer.rs"], WHOLE),
     ("motion/src/plan/derived_raster", &["choose.rs", "mod.rs", "quantise.rs", "turn.rs"], WHOLE),
-    ("motion/src/plan/waypoints", &["four.rs", "input.rs", "mod.rs", "spline.rs"], WHOLE),
+    ("motion/src/plan/waypoints", &["fastest.rs", "four.rs", "input.rs", "mod.rs", "spline.rs"], WHOLE),
     ("motion/src/plot", &["drawing.rs", "file.rs"], TYPES),
     ("motion/src/plot", &["path.rs", "picture.rs"], TYPES),
     ("motion/src/table", &["columns.rs", "csv.rs", "file.rs", "json.rs", "mod.rs", "moves.rs"], WHOLE),

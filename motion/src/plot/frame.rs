@@ -9,12 +9,12 @@ use super::scale::Scale;
 use super::theme::Theme;
 use plotters::prelude::DrawingAreaErrorKind as AreaError;
 
-/// Of all pictures, in pixels of the SVG: as wide as a phone is, its text still readable there.
-pub(super) const WIDTH: f64 = 600.0;
+/// Of all pictures, in pixels of the SVG: on a phone of 360 pixels the smallest letters are then 9 pixels high.
+pub(super) const WIDTH: f64 = 480.0;
 /// Left of a frame, for its numbers.
-pub(super) const LEFT: f64 = 66.0;
+pub(super) const LEFT: f64 = 62.0;
 /// Right of a frame.
-pub(super) const RIGHT: f64 = 20.0;
+pub(super) const RIGHT: f64 = 16.0;
 /// How wide a frame is.
 pub(super) const INSIDE: f64 = WIDTH - LEFT - RIGHT;
 /// Above a frame, for its title.

@@ -69,7 +69,7 @@ pub(super) fn frame(picture: &Picture) -> Result<Frame, PlotError> {
         title,
         note: if layout.is_stretched { "not to one scale".to_owned() } else { String::new() },
         height: layout.height,
-        x: Scale::linear(layout.across, 7),
+        x: Scale::linear(layout.across, 6),
         y: Scale::linear(layout.up, (layout.height / TICKS) as usize),
         below: Some(below),
         meetings: Vec::new(),

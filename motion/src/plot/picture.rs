@@ -68,6 +68,7 @@ pub struct Picture<'a> {
     pub(super) theme: Theme,
     /// Those that move: one that never does would take a colour, and lie over the others.
     pub(super) axes: Vec<usize>,
+    is_wide: bool,
 }
 
 /// A panel over time: one quantity of one or more axes.
@@ -85,7 +86,16 @@ impl<'a> Picture<'a> {
         if axes.len() > 1 {
             panels.insert(0, Panel::Path);
         }
-        Self { motion, title: String::new(), note: String::new(), panels, marks: Vec::new(), theme: Theme::LIGHT, axes }
+        Self {
+            motion,
+            title: String::new(),
+            note: String::new(),
+            panels,
+            marks: Vec::new(),
+            theme: Theme::LIGHT,
+            axes,
+            is_wide: false,
+        }
     }
 
     /// With a title.
@@ -112,6 +122,12 @@ impl<'a> Picture<'a> {
         Self { marks, ..self }
     }
 
+    /// With its panels in two columns, for a page that is wide enough.
+    #[must_use]
+    pub fn wide(self, is_wide: bool) -> Self {
+        Self { is_wide, ..self }
+    }
+
     /// In these colours.
     #[must_use]
     pub fn theme(self, theme: Theme) -> Self {
@@ -128,15 +144,19 @@ impl<'a> Picture<'a> {
         let mut sheet = Sheet::new(&self.title, &self.note, self.theme, &self.names())?;
         let time = axis_unit("s", self.motion.duration());
         let over_time = self.over_time();
-        let mut left = over_time.len();
+        sheet.is_wide = self.is_wide;
         for panel in &self.panels {
             if *panel == Panel::Path {
                 sheet.frames.push(path::frame(self)?);
             }
             for curves in over_time.iter().filter(|curves| curves.is_of(*panel)) {
-                left -= 1;
-                let below = (left == 0).then(|| format!("Time ({})", time.name));
-                sheet.frames.push(Frame { below, ..self.frame(curves, &time)? });
+                sheet.frames.push(self.frame(curves, &time)?);
+            }
+        }
+        for column in sheet.columns() {
+            // the last panel of a column has the numbers of the time for all above it
+            if let Some(frame) = sheet.frames[column].last_mut().filter(|frame| frame.below.is_none()) {
+                frame.below = Some(format!("Time ({})", time.name));
             }
         }
         Drawing::new(sheet, if self.title.is_empty() { "Motion" } else { &self.title })
@@ -216,7 +236,7 @@ impl<'a> Picture<'a> {
             note: limit::note(limits, *range, unit, (Font { size: NOTE, bold: false, ..heading }, room))?,
             title,
             height: HEIGHT,
-            x: Scale::linear((0.0, end), 7),
+            x: Scale::linear((0.0, end), 6),
             y: Scale::linear(view.shown, 5),
             below: None,
             meetings: self.meetings(time),

@@ -42,7 +42,7 @@ impl Quantity {
     pub(super) fn points(self, profile: &Profile, tolerance: f64) -> Vec<(f64, f64)> {
         let segments = profile.segments().iter().zip(profile.times()).filter(|(segment, _)| segment.duration > 0.0);
         let points = segments.flat_map(|(segment, start)| {
-            let value = move |time| (start + time, segment.at(time).get(self));
+            let value = move |time| (start + time, self.of(&segment.at(time)));
             self.times(segment, tolerance).map(value)
         });
         points.collect()
@@ -83,7 +83,7 @@ mod tests {
             let times: Vec<f64> = quantity.times(&segment, 1e-2).collect();
             assert_eq!((times[0], times[times.len() - 1]), (0.0, 3.0));
             for pair in times.windows(2) {
-                let value = |time: f64| segment.at(time).get(quantity);
+                let value = |time: f64| quantity.of(&segment.at(time));
                 let off = value((pair[0] + pair[1]) / 2.0) - (value(pair[0]) + value(pair[1])) / 2.0;
                 assert!(off.abs() <= 1e-2 * 1.001, "{quantity:?}: {off}");
             }

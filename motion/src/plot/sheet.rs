@@ -24,6 +24,8 @@ pub(super) struct Sheet {
     /// Names beside their colours, and where they begin.
     legend: Vec<(String, (f64, f64))>,
     pub frames: Vec<Frame>,
+    /// Whether the panels stand in two columns.
+    pub is_wide: bool,
 }
 
 /// Base lines of title and note, and how high the head is without a legend.
@@ -47,16 +49,34 @@ impl Sheet {
             legend.push((name.clone(), (x, y)));
             x += room + 18.0;
         }
-        Ok(Self { title: title.to_owned(), note: note.to_owned(), theme, legend, frames: Vec::new() })
+        Ok(Self { title: title.to_owned(), note: note.to_owned(), theme, legend, frames: Vec::new(), is_wide: false })
     }
 
     fn head(&self) -> f64 {
         self.legend.last().map_or(lines(&self.title, &self.note).2, |(_, (_, y))| *y) + 4.0
     }
 
+    /// The panels of each column: the first is the one that comes to half of the height.
+    pub(super) fn columns(&self) -> Vec<std::ops::Range<usize>> {
+        let count = self.frames.len();
+        if !self.is_wide || count < 2 {
+            return vec![0..count];
+        }
+        let mut left = self.frames.iter().map(Frame::room).sum::<f64>() / 2.0;
+        let within = |frame: &&Frame| {
+            left -= frame.room();
+            left > -0.5 * frame.room()
+        };
+        let first = self.frames.iter().take_while(within).count().clamp(1, count - 1);
+        vec![0..first, first..count]
+    }
+
     /// Width and height, in pixels of the SVG.
     pub(super) fn size(&self) -> (f64, f64) {
-        (WIDTH, (self.head() + self.frames.iter().map(Frame::room).sum::<f64>() + REST).ceil())
+        let columns = self.columns();
+        let high = |column: &std::ops::Range<usize>| self.frames[column.clone()].iter().map(Frame::room).sum::<f64>();
+        let highest = columns.iter().map(high).fold(0.0, f64::max);
+        (WIDTH * columns.len() as f64, (self.head() + highest + REST).ceil())
     }
 
     /// Draws it.
@@ -70,12 +90,16 @@ impl Sheet {
         canvas: &Canvas,
     ) -> Result<(), DrawingAreaErrorKind<DB::ErrorType>> {
         root.fill(&rgb(self.theme.background))?;
-        let (head, mut rest) = root.split_vertically(canvas.length(self.head()));
+        let (head, mut right) = root.split_vertically(canvas.length(self.head()));
         self.texts(&head, canvas)?;
-        for frame in &self.frames {
-            let (area, below) = rest.split_vertically(canvas.length(frame.room()));
-            frame.draw(&area, canvas, &self.theme)?;
-            rest = below;
+        for column in self.columns() {
+            let (mut rest, next) = right.split_horizontally(canvas.length(WIDTH));
+            for frame in &self.frames[column] {
+                let (area, below) = rest.split_vertically(canvas.length(frame.room()));
+                frame.draw(&area, canvas, &self.theme)?;
+                rest = below;
+            }
+            right = next;
         }
         root.present()
     }

@@ -24,8 +24,8 @@ pub struct Inputs {
     /// Acceleration after the first segment, in m/s²; with --a1 and --t1
     #[arg(long, value_name = "M/S2")]
     a0: Option<f64>,
-    /// Acceleration after the second segment, in m/s²; with --a0 and --t1
-    #[arg(long, value_name = "M/S2")]
+    /// Acceleration after the second segment, in m/s², of either sign; with --a0 and --t1
+    #[arg(long, value_name = "M/S2", allow_hyphen_values = true)]
     a1: Option<f64>,
     /// Time of the first and of the last segment, each, in s; with --t1 and --t2
     #[arg(long, value_name = "S")]

@@ -56,7 +56,7 @@ fn scan(theme: Theme, path: &Path) -> Outcome<()> {
     let motion = motions::scan()?;
     let picture = Picture::new(&motion)
         .title("Two scan lines and the turn-around")
-        .note("0.1 m/s on lines of 5 mm, steps of 0.2 mm; at most 50 m/s² and 2 m/s²")
+        .note("0.1 m/s on lines of 5 mm, steps of 0.2 mm; jerks limited too")
         .panels(&[Panel::Path, Panel::Velocity, Panel::Acceleration])
         .theme(theme);
     Ok(picture.save(path)?)

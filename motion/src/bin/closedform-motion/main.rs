@@ -1,6 +1,7 @@
 //! The command `closedform-motion`, which `closedform plan` and `closedform plot` hand on to.
 
 mod error;
+mod export;
 mod five_segment;
 mod gallery;
 mod input;
@@ -9,6 +10,7 @@ mod milling;
 mod output;
 mod points;
 mod raster_scan;
+mod standard;
 mod step;
 mod summary;
 mod waypoints;
@@ -21,6 +23,9 @@ use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use error::Outcome;
 use output::Output;
+
+/// What a shell says of a command that was interrupted.
+const INTERRUPTED: i32 = 130;
 
 /// What the command is called by who has only this one.
 const OWN_NAME: &str = "closedform-motion";
@@ -54,16 +59,17 @@ enum Command {
 
 #[derive(Subcommand)]
 enum Kind {
-    /// A raster scan that flies along one axis and steps the other while it turns around
+    /// A raster scan that flies along one axis and steps the other between lines, with the fastest turn-around that the limits
+    /// of both axes allow, or one of the derivation
     #[command(allow_negative_numbers = true, visible_alias = "scan-skip")]
     RasterScan(Request<raster_scan::Inputs>),
-    /// A step in four segments that starts hard and settles gently
+    /// A move from rest to rest: the fastest under limits of velocity, acceleration and jerk, or by a shape of the derivation
     #[command(allow_negative_numbers = true)]
     Step(Request<step::Inputs>),
     /// A step in five segments, symmetric in time
     #[command(allow_negative_numbers = true)]
     FiveSegment(Request<five_segment::Inputs>),
-    /// Polynomials through four points or more
+    /// Polynomials through points, at a speed, in given times, or as fast as limits allow
     #[command(allow_negative_numbers = true)]
     Waypoints(Request<waypoints::Inputs>),
     /// The time of a G-code file or of a polyline
@@ -131,6 +137,11 @@ impl Cli {
 }
 
 fn main() -> ExitCode {
+    // without a handler an interrupt leaves the file that was begun; nothing else depends on it
+    _ = ctrlc::set_handler(|| {
+        closedform_motion::remove_begun();
+        std::process::exit(INTERRUPTED);
+    });
     let outcome = match Cli::try_read() {
         Ok(cli) => run(cli.command),
         Err(answer) if answer.use_stderr() => answer.exit(),

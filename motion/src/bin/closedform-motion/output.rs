@@ -10,6 +10,8 @@ use closedform_motion::table::{self, Heading, Row, TableError, Timing, knots};
 use indicatif::ProgressBar;
 
 use crate::error::{Failure, Outcome};
+use crate::export::Export;
+use crate::standard::is_standard;
 use crate::summary::Summary;
 
 /// So many rows take a second.
@@ -21,7 +23,7 @@ pub struct Output {
     /// Inputs from a TOML file: the same names as the flags, which come before it
     #[arg(long, value_name = "FILE")]
     pub file: Option<PathBuf>,
-    /// Write the table there: .csv or .json
+    /// Write the table there: .csv or .json, or `-` for CSV on standard output (the summary then goes to standard error)
     #[arg(long, value_name = "FILE")]
     pub table: Option<PathBuf>,
     /// Write a picture there: .svg, .png, or .html to zoom and to read values
@@ -33,9 +35,15 @@ pub struct Output {
     /// How far cubics between the rows of a PVT table may be off, in m
     #[arg(long, value_name = "M", default_value_t = 1e-9)]
     pub tolerance: f64,
+    /// What a controller takes.
+    #[command(flatten)]
+    pub export: Export,
     /// Draw the picture for a dark screen
     #[arg(long)]
     pub dark: bool,
+    /// Draw the panels of the picture in two columns
+    #[arg(long)]
+    pub wide: bool,
     /// Print the summary as JSON
     #[arg(long)]
     pub json: bool,
@@ -49,18 +57,39 @@ impl Output {
 
     /// Whether the names of the files say what to write, before anything is written.
     pub fn check(&self) -> Outcome<()> {
-        if let Some(path) = self.table.as_deref().filter(|path| !ends(path, &["csv", "json"])) {
+        if let Some(path) = self.table.as_deref().filter(|path| !is_standard(path) && !ends(path, &["csv", "json"])) {
             return Err(Failure::from(TableError::Format { path: path.display().to_string() }));
         }
         if let Some(path) = self.picture.as_deref().filter(|path| !ends(path, &["svg", "png", "html"])) {
             return Err(Failure::from(PlotError::Format { path: path.display().to_string() }));
         }
+        if let Some(path) = &self.export.export {
+            let others = [("file", &self.file), ("table", &self.table), ("picture", &self.picture)];
+            if let Some((flag, _)) =
+                others.into_iter().find(|(_, other)| other.as_ref().is_some_and(|other| other == path))
+            {
+                return Err(Failure::Input(format!("this is the file of --{flag} too: give another name")).at(path));
+            }
+        }
         self.spares(self.file.as_deref())
+    }
+
+    /// Writes what a controller takes, if it is asked for.
+    pub fn controller<R: Into<Row>>(
+        &self,
+        summary: &mut Summary,
+        axes: &[String],
+        rows: impl IntoIterator<Item = R>,
+    ) -> Outcome<()> {
+        if let Some((path, points)) = self.export.rows(axes, rows)? {
+            summary.file(path, Some(points));
+        }
+        Ok(())
     }
 
     /// Whether what is to be written leaves a file alone that the plan is read from.
     pub fn spares(&self, read: Option<&Path>) -> Outcome<()> {
-        let written = [("table", &self.table), ("picture", &self.picture)];
+        let written = [("table", &self.table), ("picture", &self.picture), ("export", &self.export.export)];
         let mut written = written.into_iter().filter_map(|(flag, path)| Some((flag, path.as_deref()?)));
         match read.and_then(|read| written.find(|(_, path)| is_same_file(path, read))) {
             Some((flag, path)) => {
@@ -98,6 +127,9 @@ impl Output {
         let heading = Heading { axes: axes.to_vec(), timing };
         let bar = progress(count);
         let rows = bar.wrap_iter(rows.into_iter());
+        if is_standard(path) {
+            return to_standard_output(&heading, rows);
+        }
         let rows = table::save(path, &heading, rows).map_err(|error| Failure::from(error).at(path))?;
         bar.finish_and_clear();
         summary.file(path, Some(rows));
@@ -106,16 +138,17 @@ impl Output {
 
     /// Writes the table of a motion, if one is asked for.
     pub fn table_of(&self, summary: &mut Summary, motion: &Motion) -> Outcome<()> {
-        let Some(path) = &self.table else { return Ok(()) };
+        let Some(path) = self.table.as_deref().or(self.export.export.as_deref()) else { return Ok(()) };
         let axes: Vec<String> = motion.axes().iter().map(|axis| axis.name.clone()).collect();
         let rows = knots(motion, self.tolerance).map_err(|error| Failure::from(error).at(path))?;
+        self.controller(summary, &axes, rows.clone())?;
         self.table(summary, &axes, rows.len() as u64, rows)
     }
 
     /// Writes the picture, if one is asked for.
     pub fn picture(&self, summary: &mut Summary, picture: Picture) -> Outcome<()> {
         let Some(path) = &self.picture else { return Ok(()) };
-        picture.theme(self.theme()).save(path).map_err(|error| Failure::from(error).at(path))?;
+        picture.theme(self.theme()).wide(self.wide).save(path).map_err(|error| Failure::from(error).at(path))?;
         summary.file(path, None);
         Ok(())
     }
@@ -123,8 +156,25 @@ impl Output {
     /// Prints the summary.
     pub fn print(&self, summary: &Summary) -> Outcome<()> {
         let text = if self.json { summary.json() } else { summary.text() };
+        if self.table.as_deref().is_some_and(is_standard) {
+            note(text.trim_end());
+            return Ok(());
+        }
         let mut output = io::stdout().lock();
         unless_closed(output.write_all(text.as_bytes()).and_then(|()| output.flush()))
+    }
+}
+
+/// Writes a table as CSV to standard output; the summary then goes to standard error.
+fn to_standard_output<R: Into<Row>>(heading: &Heading, rows: impl IntoIterator<Item = R>) -> Outcome<()> {
+    match table::write_csv(io::BufWriter::new(io::stdout().lock()), heading, rows) {
+        Ok(_) => Ok(()),
+        Err(TableError::Csv(error)) => match error.into_kind() {
+            csv::ErrorKind::Io(error) => unless_closed(Err(error)),
+            other => Err(Failure::Other(format!("the table cannot be written: {other:?}"))),
+        },
+        Err(TableError::Io(error)) => unless_closed(Err(error)),
+        Err(error) => Err(error.into()),
     }
 }
 

@@ -1,25 +1,41 @@
-//! `step`: a step in four segments that starts hard and settles gently.
+//! `step`: a move from rest to rest, the fastest or by a shape of the derivation.
 
-use clap::Args;
+use clap::{Args, ValueEnum};
+use closedform_motion::plan::fastest::Fastest;
 use closedform_motion::plan::step_move::{Frame, StepMove, StepShape, StepTime};
 use closedform_motion::plot::Picture;
+use closedform_motion::{Limits, Motion, State};
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Failure, Outcome};
 use crate::input::{merged, need};
-use crate::limits::limits;
+use crate::limits::{limits, moved};
 use crate::output::Output;
 use crate::summary::Summary;
+
+/// The shape of the step.
+#[derive(ValueEnum, Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Shape {
+    /// The least time under --v-max, --a-max and --j-max; without --j-max the acceleration jumps, and with --time the same,
+    /// slower
+    Fastest,
+    /// Four segments that start hard and settle gently; the limits are checked
+    Derivation,
+}
 
 /// What is known of the step.
 #[derive(Args, Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct Inputs {
     /// The whole travel, in m
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
     travel: Option<f64>,
+    /// Shape of the step [default: fastest, or derivation where one of its letters is given]
+    #[arg(long)]
+    shape: Option<Shape>,
     /// Acceleration with which the settling begins, in m/s², negative: first and last segment make a quarter each; with --t1
-    #[arg(long, value_name = "M/S2")]
+    #[arg(long, value_name = "M/S2", allow_hyphen_values = true)]
     a3: Option<f64>,
     /// Time of the second and of the third segment, each, in s; with --a3, or with --ki and --ko
     #[arg(long, value_name = "S")]
@@ -30,7 +46,7 @@ pub struct Inputs {
     /// Twice the travel of the last segment, as a fraction of the whole; with --ki
     #[arg(long, value_name = "FRACTION")]
     ko: Option<f64>,
-    /// Time of the whole step, in s; with --ki and --ko
+    /// Time of the whole step, in s, no less than the fastest; in the derivation with --ki and --ko
     #[arg(long, value_name = "S")]
     time: Option<f64>,
     /// Symmetric frame: time of the second and of the third segment, each, in s; with --ki or --t-ie-skip
@@ -81,7 +97,50 @@ impl Inputs {
 
 /// Plans, writes and prints.
 pub fn run(inputs: &Inputs, output: &Output) -> Outcome<()> {
-    let plan = merged(inputs, output.file.as_deref())?.step()?.plan()?;
+    let inputs = merged(inputs, output.file.as_deref())?;
+    if inputs.is_derived() { derived(&inputs, output) } else { fastest(&inputs, output) }
+}
+
+impl Inputs {
+    fn is_derived(&self) -> bool {
+        let letters = [self.a3, self.t1, self.ki, self.ko, self.t_out, self.t_ie_skip];
+        self.shape.map_or(letters.iter().any(Option::is_some), |shape| shape == Shape::Derivation)
+    }
+
+    fn limits(&self) -> Outcome<Limits> {
+        let found = limits(self.v_max, self.a_max, self.j_max);
+        if found.acceleration.min(found.jerk).is_finite() || found.acceleration.is_nan() {
+            return Ok(found);
+        }
+        let message = "the step has no limit: give --a-max, --j-max, or both, in m/s² and m/s³ (or the letters of the \
+                       derivation: a3 and t1, or ki, ko and time or t1, or t-out and ki or t-ie-skip)";
+        Err(Failure::Input(message.to_owned()))
+    }
+}
+
+/// In the least time, or stretched.
+fn fastest(inputs: &Inputs, output: &Output) -> Outcome<()> {
+    let travel = need(inputs.travel, "travel", "the whole travel in m")?;
+    let limits = inputs.limits()?;
+    let fastest = Fastest::new(State::rest(0.0), State::rest(travel), limits)?;
+    let plan = inputs.time.map_or(Ok(fastest), |time| fastest.stretched(time))?;
+    let motion =
+        Motion::new(vec![closedform_motion::Axis { name: "step".to_owned(), profile: plan.profile()?, limits }]);
+    let mut summary = Summary::new("step");
+    summary.number("duration", plan.duration(), "s");
+    if inputs.time.is_some() {
+        summary.number("fastest", fastest.duration(), "s").because("the least time under the limits");
+    }
+    summary.words("shape", "fastest").because(&moved(&motion));
+    summary.peaks_of(&motion);
+    output.table_of(&mut summary, &motion)?;
+    output.picture(&mut summary, Picture::new(&motion).title("Step from rest to rest"))?;
+    output.print(&summary)
+}
+
+/// By the letters of the derivation.
+fn derived(inputs: &Inputs, output: &Output) -> Outcome<()> {
+    let plan = inputs.step()?.plan()?;
     let mut summary = Summary::new("step");
     let [t0, t1, _, t4] = plan.times;
     summary

@@ -72,7 +72,9 @@ impl RasterScan {
             return Ok(free);
         }
         let coarse = self.planned()?;
-        Ok(RasterPlan { tick_cost: coarse.duration - free.duration, ..coarse })
+        let cost = coarse.duration - free.duration;
+        let is_rounding = cost.abs() <= 64.0 * f64::EPSILON * coarse.duration;
+        Ok(RasterPlan { tick_cost: if is_rounding { 0.0 } else { cost }, ..coarse })
     }
 
     fn planned(&self) -> Result<RasterPlan, PlanError> {

@@ -21,7 +21,10 @@ impl RasterPlan {
     #[must_use]
     pub fn line_start(&self, line: u64) -> f64 {
         let count = count_of(&self.lead_in) + line as f64 * self.count;
-        self.clock.seconds(count) + (self.steady_time - self.line_time).max(0.0) / 2.0
+        let beyond = (self.steady_time - self.line_time) / 2.0;
+        // of the quotient that is the time on the line
+        let rounding = 8.0 * f64::EPSILON * self.steady_time;
+        self.clock.seconds(count) + if beyond > rounding { beyond } else { 0.0 }
     }
 
     /// The begin of each of so many pixels of every line, in their order.

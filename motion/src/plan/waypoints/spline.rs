@@ -31,9 +31,14 @@ struct Outer {
 const CUBIC: Outer = Outer { diagonal: 2.0, rise: 1.0 };
 
 /// The segments through the points, one coordinate.
-pub(super) fn segments(problem: Problem, p: &[f64], t: &[f64]) -> Vec<Segment> {
-    let path =
-        Path { problem, p, t, s: p.windows(2).zip(t).map(|(pair, t)| Slope::new(pair[0], pair[1], *t)).collect() };
+pub(super) fn segments(problem: Problem, p: &[f64], t: &[f64], ends: [f64; 2]) -> Vec<Segment> {
+    let path = Path {
+        problem,
+        p,
+        t,
+        ends,
+        s: p.windows(2).zip(t).map(|(pair, t)| Slope::new(pair[0], pair[1], *t)).collect(),
+    };
     match problem {
         Problem::Linear => path.linear(),
         _ => path.smooth(),
@@ -75,6 +80,8 @@ struct Path<'a> {
     t: &'a [f64],
     /// Mean velocities.
     s: Vec<Slope>,
+    /// Velocities at the ends, of cubics.
+    ends: [f64; 2],
 }
 
 impl Path<'_> {
@@ -151,11 +158,15 @@ impl Path<'_> {
         const NONE: Slope = Slope { high: 0.0, low: 0.0 };
         let (time_before, slope_before) = if i == 0 { (0.0, NONE) } else { (self.t[i - 1], self.s[i - 1]) };
         let (time_after, slope_after) = if i == self.t.len() { (0.0, NONE) } else { (self.t[i], self.s[i]) };
-        Row {
-            before: before.diagonal * time_before,
-            after: after.diagonal * time_after,
-            right: 6.0 * slope_after.less(after.rise, before.rise, slope_before),
-        }
+        let right = match (self.problem, i) {
+            // a velocity at an end is a mean velocity of the segment that is not there
+            (Problem::CubicsAtRest, 0) => 6.0 * slope_after.less(1.0, 1.0, Slope { high: self.ends[0], low: 0.0 }),
+            (Problem::CubicsAtRest, i) if i == self.t.len() => {
+                6.0 * Slope { high: self.ends[1], low: 0.0 }.less(1.0, 1.0, slope_before)
+            }
+            _ => 6.0 * slope_after.less(after.rise, before.rise, slope_before),
+        };
+        Row { before: before.diagonal * time_before, after: after.diagonal * time_after, right }
     }
 
     /// Where the problem says what they are, exactly that; elsewhere by the cubics.
@@ -168,7 +179,14 @@ impl Path<'_> {
                 (velocity[1], velocity[last - 1]) = (twice(0, 0.0), twice(last - 1, 0.0));
                 (0.0, 0.0)
             }
-            Problem::CubicsAtRest | Problem::QuarticCubicQuarticAtRest => (0.0, 0.0),
+            Problem::CubicsAtRest => (self.ends[0], self.ends[1]),
+            Problem::QuarticCubicQuarticAtRest => {
+                if last == 2 {
+                    // where both segments are quartics, from rest, twice the mean velocity and a*t/6
+                    velocity[1] = twice(0, -acceleration[1] * self.t[0] / 6.0);
+                }
+                (0.0, 0.0)
+            }
             _ => (twice(0, velocity[1]), twice(last - 1, velocity[last - 1])),
         };
         (velocity[0], velocity[last]) = ends;
@@ -261,7 +279,7 @@ mod tests {
         for problem in Problem::ALL {
             for (p, t) in &paths {
                 let kernels = four::segments(problem, p, t).unwrap();
-                let general = segments(problem, p, t);
+                let general = segments(problem, p, t, [0.0; 2]);
                 let numbers: [(&str, Numbers); 4] = [
                     ("velocity", |s| vec![s.start.velocity, s.end.velocity]),
                     ("acceleration", |s| vec![s.start.acceleration, s.end.acceleration]),

@@ -1,9 +1,9 @@
 //! The motions of the README's pictures.
 
-use closedform_motion::Motion;
-use closedform_motion::plan::derived_raster::DerivedRaster;
+use closedform_motion::plan::raster_scan::RasterScan;
 use closedform_motion::plan::step_move::{StepMove, StepShape};
 use closedform_motion::plan::waypoints::{Problem, Timing, Waypoints};
+use closedform_motion::{Limits, Motion};
 
 use crate::error::{Failure, Outcome};
 
@@ -11,7 +11,7 @@ use crate::error::{Failure, Outcome};
 pub fn waypoints(letter: char) -> Outcome<(Motion, Vec<Vec<f64>>)> {
     let points = vec![vec![0.0, 0.0], vec![0.2, 0.4], vec![0.7, 0.5], vec![1.0, 0.1]];
     let problem = Problem::of_letter(letter).ok_or_else(|| Failure::Input(format!("no problem ({letter})")))?;
-    let plan = Waypoints { problem, points: points.clone(), timing: Timing::Speed(1.0) }.plan()?;
+    let plan = Waypoints::new(problem, points.clone(), Timing::Speed(1.0)).plan()?;
     Ok((plan.motion(), points))
 }
 
@@ -21,7 +21,8 @@ pub fn step() -> Outcome<Motion> {
     Ok(plan.motion().clone())
 }
 
-/// Two lines with the fastest turn-around, whose optimum is inside.
+/// Two lines with the fastest turn-around.
 pub fn scan() -> Outcome<Motion> {
-    Ok(DerivedRaster::new(0.1, 50.0, 2e-4, 2.0, 5e-3, 2).plan()?.motion()?)
+    let limits = |acceleration, jerk| Limits { velocity: f64::INFINITY, acceleration, jerk };
+    Ok(RasterScan::new(0.1, 5e-3, 2e-4, 2, limits(50.0, 2e4), limits(2.0, 1e3)).plan()?.motion(2)?)
 }

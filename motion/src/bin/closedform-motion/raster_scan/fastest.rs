@@ -24,6 +24,7 @@ pub fn run(inputs: &Inputs, output: &Output) -> Outcome<()> {
     let shown = plan.motion(MOST_LINES)?;
     let mut summary = summary(&plan, &shown, inputs.pixels);
     output.table(&mut summary, &RasterPlan::AXES.map(str::to_owned), plan.row_count(), plan.rows())?;
+    output.controller(&mut summary, &RasterPlan::AXES.map(str::to_owned), plan.rows())?;
     if let (Some(path), Some(pixels)) = (inputs.triggers.as_deref(), inputs.pixels) {
         let rows = triggers(path, &plan, pixels)?;
         summary.file(path, Some(rows));
@@ -59,7 +60,7 @@ fn note(plan: &RasterPlan) -> String {
 fn summary(plan: &RasterPlan, shown: &Motion, pixels: Option<u64>) -> Summary {
     let mut summary = Summary::new("raster-scan");
     summary.number("duration", plan.duration, "s");
-    summary.words("shape", "fastest").because("no turn-around is shorter under the limits below");
+    summary.words("shape", "fastest").because("nothing under the limits below takes less time");
     summary.number("velocity on the line", plan.velocity(), "m/s").because("as given");
     summary.number("time on the line", plan.line_time, "s");
     if let Some(slower) = plan.slower {
