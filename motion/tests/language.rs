@@ -223,7 +223,7 @@ fn cycles() {
 
 #[test]
 fn offsets() {
-    let cases: [(&str, [f64; 3]); 13] = [
+    let cases: [(&str, [f64; 3]); 14] = [
         ("G10 L2 P1 X10\nG54 G0 X1", [11.0, 0.0, 0.0]),
         ("G10 L2 P2 Y5\nG55 G0 Y1\nG54 Y1", [0.0, 1.0, 0.0]),
         ("G0 X4\nG10 L20 P1 X1\nG0 X2", [5.0, 0.0, 0.0]),
@@ -237,6 +237,8 @@ fn offsets() {
         ("G20 G10 L2 P1 X1\nG0 X1", [50.8, 0.0, 0.0]),
         ("G0 X9 Z9\nG28.1\nG0 X0 Z0\nG91 G28 Z1", [0.0, 0.0, 9.0]),
         ("G7 G0 X8", [4.0, 0.0, 0.0]),
+        // Units of Mach and Siemens.
+        ("G70\nG0 X1\nG71\nX2", [2.0, 0.0, 0.0]),
     ];
     for (program, expected) in cases {
         let found = ends(program, &Reading::default());

@@ -2,6 +2,28 @@
 
 use crate::plot::theme::Theme;
 
+/// What the colour of a path says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Colouring {
+    /// The largest speed of each move.
+    #[default]
+    Speed,
+    /// The speed that was asked for.
+    Feed,
+    /// The height of the tool.
+    Height,
+}
+
+impl Colouring {
+    pub(super) fn title(self) -> &'static str {
+        match self {
+            Self::Speed => "Largest speed (mm/s)",
+            Self::Feed => "Feed (mm/s)",
+            Self::Height => "Z (mm)",
+        }
+    }
+}
+
 /// How many are told apart.
 pub(super) const STEPS: usize = 7;
 

@@ -13,29 +13,8 @@ use super::html::Page;
 use super::sheet::Sheet;
 use super::theme::Theme;
 use crate::plan::milling::Row;
+pub use colours::Colouring;
 use gather::Gathered;
-
-/// What the colour of a path says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Colouring {
-    /// The largest speed of each move.
-    #[default]
-    Speed,
-    /// The speed that was asked for.
-    Feed,
-    /// The height of the tool.
-    Height,
-}
-
-impl Colouring {
-    fn title(self) -> &'static str {
-        match self {
-            Self::Speed => "Largest speed (mm/s)",
-            Self::Feed => "Feed (mm/s)",
-            Self::Height => "Z (mm)",
-        }
-    }
-}
 
 /// A milling job, gathered move by move. It takes no more memory than its picture needs, however many moves there are.
 #[derive(Debug, Clone, Default)]

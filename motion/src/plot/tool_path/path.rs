@@ -1,7 +1,6 @@
 //! The path: Y over X to one scale in mm, cuts by their colour, rapid moves thin, drilled holes as dots.
 
-use super::Colouring;
-use super::colours::{self, STEPS};
+use super::colours::{self, Colouring, STEPS};
 use super::gather::{Gathered, Point};
 use crate::plot::frame::{Dot, Frame, INSIDE, Line};
 use crate::plot::html::{PageCurve, PagePanel};
@@ -156,7 +155,10 @@ fn strokes<'a>(
             match strokes.last_mut() {
                 Some((points, of)) if last_kind == Some(this) && *of == this => {
                     let end = points[points.len() - 1];
-                    if (end.0 - at.0).hypot(end.1 - at.1) >= near {
+                    if goes_on(points, at) {
+                        points.pop();
+                        points.push(at);
+                    } else if (end.0 - at.0).hypot(end.1 - at.1) >= near {
                         points.push(at);
                     }
                 }
@@ -167,6 +169,15 @@ fn strokes<'a>(
     }
     // A point is none of a line: holes are drawn as dots.
     strokes.into_iter().filter(|(points, _)| points.iter().any(|point| *point != points[0]))
+}
+
+/// Whether a line goes straight on to a point.
+fn goes_on(points: &[(f64, f64)], to: (f64, f64)) -> bool {
+    let [.., before, end] = points else { return false };
+    let (came, goes) = ((end.0 - before.0, end.1 - before.1), (to.0 - end.0, to.1 - end.1));
+    let (cross, dot) = (came.0 * goes.1 - came.1 * goes.0, came.0 * goes.0 + came.1 * goes.1);
+    // So strict that what is left out one after another adds up to nothing.
+    dot > 0.0 && cross.abs() <= 1e-9 * dot
 }
 
 /// Where the tool goes down at feed, one dot a pixel.

@@ -106,7 +106,12 @@ impl Modal {
     fn set_modes(&mut self, block: &Block, actions: &mut Vec<Action>) -> Result<Asked, Problem> {
         let (mut asked, mut problem) = (Asked::default(), None);
         for code in &block.general {
-            let general = General::of(*code, self.state.dialect);
+            let general = match (*code, block.any("PQD")) {
+                // Without the words of a turning cycle these are the units, as Mach and Siemens have them.
+                (700, None) => General::Inches(true),
+                (710, None) => General::Inches(false),
+                _ => General::of(*code, self.state.dialect),
+            };
             if let Err(wrong) = self.set_mode(general, &mut asked) {
                 problem.get_or_insert(wrong);
             }

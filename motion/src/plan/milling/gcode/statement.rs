@@ -1,4 +1,4 @@
-//! Statements: what says which lines come next. O-words, and the macros of Fanuc.
+//! Statements: O-words and the macros of Fanuc, which say which lines come next.
 
 use super::dialect::Dialect;
 use super::error::Problem;
