@@ -7,7 +7,8 @@ use serde_json::Value;
 
 fn motion() -> Motion {
     let limits = Limits { velocity: 0.1, acceleration: 2.0, jerk: 100.0 };
-    let axis = |name: &str, to| Together { name: name.to_owned(), start: State::rest(0.0), end: State::rest(to), limits };
+    let axis =
+        |name: &str, to| Together { name: name.to_owned(), start: State::rest(0.0), end: State::rest(to), limits };
     together(&[axis("x", 0.02), axis("y", -0.01), axis("still", 0.0)], None).expect("a motion")
 }
 
