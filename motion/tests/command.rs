@@ -147,6 +147,7 @@ fn bad_input_is_one_line_and_exit_code_2() {
     bad(path, &format!("plan waypoints {WAYPOINTS} --problem z"), 2);
     bad(path, &format!("plan waypoints {WAYPOINTS} --problem a --table a.csv"), 2);
     bad(path, &format!("plan waypoints {WAYPOINTS} --tolerance 0 --table a.csv"), 2);
+    bad(path, &format!("plan scan-skip {SCAN} --tolerance -1 --table a.csv"), 2);
     // A wrong ending is found before anything is written.
     bad(path, &format!("plan step {STEP} --table a.csv --picture a.bmp"), 2);
     bad(path, &format!("plan step {STEP} --table a.xls"), 2);

@@ -103,7 +103,7 @@ fn two_points_and_three_and_any_number_of_coordinates() {
 
 #[test]
 fn ends_have_the_velocities_that_are_asked_for() {
-    let points = vec![vec![0.0, 0.0], vec![1.0, 2.0], vec![3.0, 1.0], vec![4.0, 0.0], vec![6.0, 6.0]];
+    let points = [vec![0.0, 0.0], vec![1.0, 2.0], vec![3.0, 1.0], vec![4.0, 0.0], vec![6.0, 6.0]];
     for count in 2..=5 {
         let path = Waypoints::new(Problem::CubicsAtRest, points[..count].to_vec(), Timing::Speed(1.5));
         let path = Waypoints { ends: [vec![0.5, -0.25], vec![1.0, 0.0]], ..path };

@@ -60,7 +60,7 @@ impl Sheet {
     pub(super) fn columns(&self) -> Vec<std::ops::Range<usize>> {
         let count = self.frames.len();
         if !self.is_wide || count < 2 {
-            return vec![0..count];
+            return std::iter::once(0..count).collect();
         }
         let mut left = self.frames.iter().map(Frame::room).sum::<f64>() / 2.0;
         let within = |frame: &&Frame| {

@@ -63,6 +63,9 @@ impl Output {
         if let Some(path) = self.picture.as_deref().filter(|path| !ends(path, &["svg", "png", "html"])) {
             return Err(Failure::from(PlotError::Format { path: path.display().to_string() }));
         }
+        if !(self.tolerance > 0.0 && self.tolerance.is_finite()) {
+            return Err(Failure::from(TableError::Tolerance { tolerance: self.tolerance }));
+        }
         if let Some(path) = &self.export.export {
             let others = [("file", &self.file), ("table", &self.table), ("picture", &self.picture)];
             if let Some((flag, _)) =

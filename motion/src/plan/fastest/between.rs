@@ -93,7 +93,7 @@ fn known_rise(d: f64, v: f64, w: f64, limits: &Limits) -> Option<f64> {
         return Some(flat);
     }
     let t = if w == 0.0 { s_curve::pointed_move(v, d, j) } else { f64::NAN };
-    (t * j <= a).then(|| j * t * t)
+    (t * j <= a).then_some(j * t * t)
 }
 
 /// The same by a sign that changes: Newton's steps where they stay between the bounds and at least halve, and else halves
