@@ -30,7 +30,7 @@ fn mistakes_of_every_stage_are_told_together() {
     );
     // the text; the formulas; their domains and their roots, which the algebra finds out
     for words in [
-        "my.mac:2:12",
+        "my.mac:2:14",
         "my.mac:3:14",
         "divides by zero",
         "my.mac:4:15",
