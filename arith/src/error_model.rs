@@ -28,6 +28,9 @@ pub struct Units {
 }
 
 impl Units {
+    /// No error.
+    pub const NONE: Self = Units::new(0, 1);
+
     const fn new(numerator: u32, denominator: u32) -> Self {
         Units { numerator, denominator }
     }
@@ -78,7 +81,7 @@ pub const CERTIFIED_RADIUS: i64 = -60;
 
 /// Relative errors of operations on [`DoubleDouble`](crate::DoubleDouble), in units of u^2.
 pub mod double_double {
-    use super::UNIT;
+    use crate::error_model::UNIT;
 
     /// Of two numbers in double-double, cancellation or not: JMP theorem 3.1 (algorithm 6, AccurateDWPlusDW), confirmed by MR.
     pub const SUM: f64 = 3.0 / (1.0 - 4.0 * UNIT);
@@ -107,7 +110,7 @@ pub mod double_double {
 /// theorem's of [`double_double`], rounded up to a whole number that covers terms of higher order, and in products one more
 /// for [what underflows](crate::range::UNDERFLOW).
 pub mod compensated {
-    use super::UNIT;
+    use crate::error_model::UNIT;
 
     /// What a sum of two parts adds.
     pub const SUM: f64 = 4.0;

@@ -31,7 +31,7 @@ mod slice;
 mod unit;
 mod walk;
 
-pub use closedform_arith::Precision;
+pub use closedform_arith::{Function, Operations, Precision};
 
 pub use certificate::{RULES, certificate, certified};
 pub use file::{Source, parse_file, sources};
@@ -41,7 +41,7 @@ pub use kernel::{
 };
 pub use limits::check as check_limits;
 pub use magnitude::ordinary;
-pub use operations::{Operations, operations, operations_of};
+pub use operations::{operations, operations_of};
 pub use print::{condition_text, expression_text};
 pub use slice::{Operand, Operation, Part, Wide};
 pub use unit::{BASES, Dimension, UnitError};

@@ -12,6 +12,7 @@ use rug::{Float, Integer};
 use super::limbs::Limbs;
 use super::radius::Radius;
 use super::{Ball, Kind, Separation, Settling};
+use crate::function::Function;
 use crate::real::Real;
 
 /// More bits than any sum of two operands has.
@@ -96,13 +97,13 @@ fn operations_hold<const L: usize>(rounds: u32, seed: u64) {
         assert!(holds(&a.plus(&b), &Float::with_val(BITS, &x + &y)), "sum, {round}");
         assert!(holds(&a.plus(&b.negated()), &Float::with_val(BITS, &x - &y)), "difference, {round}");
         assert!(holds(&a.times(&b), &Float::with_val(BITS, &x * &y)), "product, {round}");
-        assert!(holds(&a.abs(), &x.clone().abs()), "magnitude, {round}");
+        assert!(holds(&a.magnitude(), &x.clone().abs()), "magnitude, {round}");
         let quotient = a.over(&b);
         if quotient.kind == Kind::Number {
             quotients += 1;
             assert!(holds(&quotient, &Float::with_val(BITS, &x / &y)), "quotient, {round}");
         }
-        let root = a.square_root();
+        let root = a.call(Function::Sqrt);
         if root.kind == Kind::Number {
             roots += 1;
             assert!(holds(&root, &x.clone().sqrt()), "root, {round}");
@@ -133,7 +134,7 @@ fn balls_of_exact_operands_are_small() {
             Ball::<4>::new(value, &settling)
         };
         let (a, b) = (number(&mut random), number(&mut random));
-        for (result, what) in [(a.over(&b), "quotient"), (a.square_root(), "root"), (a.times(&b), "product")] {
+        for (result, what) in [(a.over(&b), "quotient"), (a.call(Function::Sqrt), "root"), (a.times(&b), "product")] {
             let unit = result.middle.exponent() - 64 * 4;
             assert!(result.radius.is_less_than(0.5, unit + 5), "{what}: {:?}", result.radius);
         }
@@ -166,7 +167,7 @@ fn numbers_round_as_the_processor_rounds() {
 
 /// The sum of the roots of the first two numbers less those of the others.
 fn four_roots<'a, const L: usize>(numbers: [f64; 4], settling: &'a Settling) -> Ball<'a, L> {
-    let [a, b, c, d] = numbers.map(|x| Ball::<L>::new(x, settling).square_root());
+    let [a, b, c, d] = numbers.map(|x| Ball::<L>::new(x, settling).call(Function::Sqrt));
     a.plus(&b).plus(&c.negated()).plus(&d.negated())
 }
 
@@ -178,8 +179,8 @@ fn what_is_exactly_zero_is_shown_to_be() {
     }
     // (sqrt(2) + sqrt(3))^2 - 5 - 2 sqrt(6), and 1/3 + 1/3 + 1/3 - 1
     let number = |x| Ball::<16>::new(x, &settling);
-    let sum = number(2.0).square_root().plus(&number(3.0).square_root());
-    let rest = number(5.0).plus(&number(24.0).square_root());
+    let sum = number(2.0).call(Function::Sqrt).plus(&number(3.0).call(Function::Sqrt));
+    let rest = number(5.0).plus(&number(24.0).call(Function::Sqrt));
     assert_eq!(sum.times(&sum).plus(&rest.negated()).accepted(), Some((0.0, true)));
     let third = number(1.0).over(&number(3.0));
     assert_eq!(third.plus(&third).plus(&third).plus(&number(-1.0)).accepted(), Some((0.0, true)));
@@ -191,7 +192,7 @@ fn a_value_is_equal_to_itself() {
     let pi = Ball::<4>::new(1.0, &settling).pi();
     assert_eq!(pi.partial_cmp(&pi.clone()), Some(Ordering::Equal));
     assert_eq!(pi.partial_cmp(&Ball::<4>::new(1.0, &settling).pi()), None, "another value");
-    let nothing = Ball::<4>::new(-1.0, &settling).square_root();
+    let nothing = Ball::<4>::new(-1.0, &settling).call(Function::Sqrt);
     assert_eq!(nothing.partial_cmp(&nothing.clone()), None);
 }
 
@@ -214,7 +215,7 @@ fn what_is_nearly_zero_is_not_taken_for_zero() {
 fn separation_bounds_hold() {
     let settling = Settling::default();
     let one = Ball::<64>::new(1.0, &settling);
-    let small = Ball::<64>::new(2.0, &settling).square_root().plus(&one.negated());
+    let small = Ball::<64>::new(2.0, &settling).call(Function::Sqrt).plus(&one.negated());
     let mut power = one.clone();
     for exponent in 1..200 {
         power = power.times(&small);
@@ -247,12 +248,12 @@ fn separation_bounds_hold_of_many_roots_and_of_quotients() {
 fn what_has_no_value_and_what_is_unknown_are_told_apart() {
     let settling = Settling::default();
     let number = |x| Ball::<4>::new(x, &settling);
-    assert_eq!(number(-1.0).square_root().kind, Kind::Nothing);
+    assert_eq!(number(-1.0).call(Function::Sqrt).kind, Kind::Nothing);
     assert_eq!(number(1.0).over(&number(0.0)).kind, Kind::Nothing);
     // a sum with pi that the circle constant's bits do not tell from zero
     let pi = number(1.0).pi();
     let rest = pi.plus(&pi.negated());
-    assert_eq!((rest.square_root().kind, number(1.0).over(&rest).kind), (Kind::Unknown, Kind::Unknown));
+    assert_eq!((rest.call(Function::Sqrt).kind, number(1.0).over(&rest).kind), (Kind::Unknown, Kind::Unknown));
     assert!(!settling.is_unsettled());
     assert_eq!(rest.partial_cmp(&number(0.0)), None);
     assert!(settling.is_unsettled());

@@ -1,9 +1,11 @@
 //! Signs: what the domain says about the sign of a polynomial.
 
 use crate::algebra::{Polynomial, Ring, Var};
+use closedform_syntax::Function;
 use num_rational::BigRational;
 use num_traits::Signed;
 use std::cell::RefCell;
+use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::fmt;
 use std::ops::{BitAnd, Mul, Neg};
@@ -82,6 +84,15 @@ impl Sign {
     #[must_use]
     pub fn or(self, other: Self) -> Self {
         Self(self.0 | other.0)
+    }
+
+    /// The sign of a function's value, where there is one.
+    #[must_use]
+    pub fn called(self, function: Function) -> Self {
+        let signs = [(NEGATIVE, Ordering::Less), (ZERO, Ordering::Equal), (POSITIVE, Ordering::Greater)];
+        let bit = |sign: Ordering| signs.iter().find(|(_, other)| *other == sign).map_or(0, |(bit, _)| *bit);
+        let values = signs.iter().filter(|(bit, _)| self.0 & bit != 0).filter_map(|(_, sign)| function.sign(*sign));
+        Self(values.fold(0, |all, sign| all | bit(sign)))
     }
 
     /// The sign of a power.

@@ -3,6 +3,7 @@
 use super::{Facts, Sign};
 use crate::algebra::{Algebra, Polynomial, Ring, Var};
 use closedform_project::expression::Expr;
+use closedform_syntax::Function;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -177,16 +178,20 @@ impl Tower {
                 let base = self.canonical(base)?;
                 self.power(&base, *exponent)
             }
-            Expr::Sqrt(base) => {
-                let base = self.canonical(base)?;
-                self.sqrt(&base)
-            }
-            Expr::Abs(base) => {
-                let base = self.canonical(base)?;
-                self.abs(&base)
+            Expr::Call(function, argument) => {
+                let argument = self.canonical(argument)?;
+                self.call(*function, &argument)
             }
             Expr::Extreme { .. } => Err(TowerError::NestedExtreme),
             Expr::PositiveRoot { .. } => Err(TowerError::NestedRoot),
+        }
+    }
+
+    /// A function of an element.
+    fn call(&mut self, function: Function, argument: &Element) -> Result<Element, TowerError> {
+        match function {
+            Function::Sqrt => self.sqrt(argument),
+            Function::Abs => self.abs(argument),
         }
     }
 

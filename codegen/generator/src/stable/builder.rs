@@ -6,6 +6,7 @@ use super::surd::Surd;
 use crate::algebra::{Polynomial, Var};
 use crate::field::{Element, Tower, TowerError};
 use crate::program::{Graph, Node};
+use closedform_syntax::Function;
 use num_rational::BigRational;
 use num_traits::Zero;
 use std::collections::{BTreeMap, HashMap};
@@ -113,12 +114,12 @@ impl Builder {
         let node = match self.tower.magnitude_of(&radical) {
             Some(inside) => {
                 let inside = self.polynomial(&inside)?;
-                self.graph.abs(inside)
+                self.graph.call(Function::Abs, inside)
             }
             None => {
                 let radicand = self.tower.element(&radical.radicand);
                 let inside = self.element(&radicand)?;
-                self.graph.sqrt(inside)
+                self.graph.call(Function::Sqrt, inside)
             }
         };
         self.stand_ins.insert(var, node);

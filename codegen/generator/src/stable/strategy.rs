@@ -143,7 +143,7 @@ mod tests {
     use super::*;
     use crate::field::Sign;
     use crate::program::{Op, reached};
-    use closedform_syntax::Precision;
+    use closedform_syntax::{Function, Precision};
 
     /// A graph with so many positive inputs.
     fn inputs<const N: usize>() -> (Graph, [Node; N]) {
@@ -213,7 +213,7 @@ mod tests {
     #[test]
     fn a_factor_goes_into_a_sum_where_that_saves_roundings() {
         let (mut graph, [p, q, r, s]) = inputs::<4>();
-        let root = graph.sqrt(r);
+        let root = graph.call(Function::Sqrt, r);
         let term = graph.mul(q, root);
         let sum = graph.add(term, s);
         let squares = product(&mut graph, &[p, p, p, p]);
@@ -240,7 +240,7 @@ mod tests {
     #[test]
     fn what_cannot_be_gathered_is_taken_in_double_double() {
         let (mut graph, factors) = inputs::<4>();
-        let roots = factors.map(|factor| graph.sqrt(factor));
+        let roots = factors.map(|factor| graph.call(Function::Sqrt, factor));
         let product = product(&mut graph, &roots);
         let made = finished(graph, vec![product], NOTHING);
         assert_eq!((&made.outputs, made.precision), (&vec![product], Precision::DoubleDouble));
@@ -252,7 +252,7 @@ mod tests {
     fn an_error_without_a_bound_is_none_in_double_double_either() {
         let (mut graph, [x, y]) = inputs::<2>();
         let difference = graph.sub(x, y);
-        let root = graph.sqrt(difference);
+        let root = graph.call(Function::Sqrt, difference);
         let iterated = graph.positive_root(vec![root], f64::INFINITY);
         let made = finished(graph, vec![iterated], NOTHING);
         assert_eq!((made.precision, made.worst_error()), (Precision::Double, f64::INFINITY));
@@ -264,7 +264,7 @@ mod tests {
         let (sum, product) = (graph.add(x, y), graph.mul(x, y));
         graph.mark(sum, "factored");
         graph.mark(product, "conjugate");
-        let root = graph.sqrt(sum);
+        let root = graph.call(Function::Sqrt, sum);
         let made = Candidate::new(graph, vec![root]);
         assert_eq!(Vec::from_iter(made.rules(&[])), ["factored"]);
         assert_eq!(Vec::from_iter(made.rules(&[product])), ["conjugate", "factored"]);

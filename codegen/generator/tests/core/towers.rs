@@ -4,6 +4,7 @@ use super::values::{ALGEBRA, BITS, agree, cases, float, positive_point, real_val
 use closedform_generator::algebra::Var;
 use closedform_generator::field::{Element, Sign, Tower};
 use closedform_project::expression::Expr;
+use closedform_syntax::Function;
 use num_rational::BigRational;
 use proptest::prelude::*;
 use rug::Float;
@@ -30,7 +31,7 @@ fn positive(depth: u32) -> BoxedStrategy<Expr> {
             two.clone().prop_map(|(a, b)| a.times(b)),
             two.prop_map(|(a, b)| a.over(b)),
             inner.clone().prop_map(|a| Expr::Power(Box::new(a), 2)),
-            inner.prop_map(|a| Expr::Sqrt(Box::new(a))),
+            inner.prop_map(|a| Expr::call(Function::Sqrt, a)),
         ]
     })
     .boxed()
@@ -55,10 +56,10 @@ fn rewritten(expr: &Expr) -> Expr {
         Expr::Power(base, 2) => rewritten(base).times(rewritten(base)),
         Expr::Power(base, exponent) => Expr::Power(Box::new(rewritten(base)), *exponent),
         // sqrt(a) = sqrt(4*a*y^2)/(2*y)
-        Expr::Sqrt(base) => {
+        Expr::Call(Function::Sqrt, base) => {
             let double = Expr::integer(2).times(Expr::symbol("y"));
             let inside = rewritten(base).times(Expr::Power(Box::new(double.clone()), 2));
-            Expr::Sqrt(Box::new(inside)).over(double)
+            Expr::call(Function::Sqrt, inside).over(double)
         }
         other => other.clone(),
     }
@@ -72,8 +73,8 @@ fn value_of(expr: &Expr, point: &[BigRational]) -> Float {
         Expr::Sum(items) => items.iter().map(of).fold(Float::new(BITS), |sum, item| sum + item),
         Expr::Product(items) => items.iter().map(of).fold(Float::with_val(BITS, 1), |product, item| product * item),
         Expr::Power(base, exponent) => of(base).pow(*exponent),
-        Expr::Sqrt(base) => of(base).sqrt(),
-        Expr::Abs(base) => of(base).abs(),
+        Expr::Call(Function::Sqrt, base) => of(base).sqrt(),
+        Expr::Call(Function::Abs, base) => of(base).abs(),
         _ => panic!("{expr:?} stands alone"),
     }
 }

@@ -3,6 +3,7 @@
 use super::Expr;
 use closedform_maxima::ast::{BinaryOperator, Expr as Ast, ExprKind, UnaryOperator};
 use closedform_maxima::exact;
+use closedform_syntax::Function;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 use std::ops::Range;
@@ -98,7 +99,7 @@ fn power(base: &Ast, exponent: &Ast, ast: &Ast) -> Result<Expr, LowerError> {
         }
         (Some(n), Some(1)) => Ok(integer_power(base, n as i32)),
         (Some(n), Some(2)) => {
-            let root = Expr::Sqrt(Box::new(base.clone()));
+            let root = Expr::call(Function::Sqrt, base.clone());
             let whole = n.div_euclid(2);
             Ok(if whole == 0 { root } else { integer_power(base, whole as i32).times(root) })
         }
@@ -135,13 +136,27 @@ fn constant(expr: &Expr) -> Option<BigRational> {
     }
 }
 
+/// Whether a function has a meaning of its own in a reference expression.
+#[must_use]
+pub fn is_known_function(name: &str) -> bool {
+    Function::in_worksheets(name).is_some() || ["max", "min", "positive_root"].contains(&name)
+}
+
+/// How the functions that may stand in a reference expression are written, but for `positive_root`.
+#[must_use]
+pub fn known_functions() -> String {
+    let of_table = Function::ALL.map(|function| function.properties().maxima).join(", ");
+    format!("{of_table}, max(x, y, ..), min(x, y, ..)")
+}
+
 fn call(ast: &Ast) -> Result<Expr, LowerError> {
     let Some((name, arguments)) = ast.as_call() else {
         return Err(unsupported(ast, "this call", "write a formula of + - * / ^ sqrt abs and numbers"));
     };
+    if let (Some(function), [argument]) = (Function::in_worksheets(name), arguments) {
+        return Ok(Expr::call(function, lower(argument)?));
+    }
     match (name, arguments) {
-        ("sqrt", [operand]) => Ok(Expr::Sqrt(Box::new(lower(operand)?))),
-        ("abs", [operand]) => Ok(Expr::Abs(Box::new(lower(operand)?))),
         ("max" | "min", [_, _, ..]) => {
             let items = arguments.iter().map(lower).collect::<Result<_, _>>()?;
             Ok(Expr::Extreme { largest: name == "max", items })
@@ -152,15 +167,17 @@ fn call(ast: &Ast) -> Result<Expr, LowerError> {
             }
             None => Err(unsupported(unknown, "an unknown that is no variable", "write positive_root(polynomial, x)")),
         },
-        ("sqrt" | "abs" | "max" | "min" | "positive_root", _) => Err(LowerError {
+        _ if is_known_function(name) => Err(LowerError {
             what: format!("`{name}` has {} arguments", arguments.len()),
-            remedy: "write sqrt(x), abs(x), max(x, y, ..), min(x, y, ..) or positive_root(polynomial, x)".to_owned(),
+            remedy: format!("write {} or positive_root(polynomial, x)", known_functions()),
             span: ast.span.clone(),
         }),
         _ => Err(LowerError {
             what: format!("unknown function `{name}`"),
-            remedy: "known are sqrt, abs, max, min and positive_root; define any other function in the worksheet"
-                .to_owned(),
+            remedy: format!(
+                "known are {} and positive_root(polynomial, x); define any other function in the worksheet",
+                known_functions()
+            ),
             span: ast.span.clone(),
         }),
     }

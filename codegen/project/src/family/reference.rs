@@ -4,12 +4,13 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use closedform_maxima::{BinaryOperator, Definition, Expr, ExprKind, UnaryOperator, definitions};
+use closedform_syntax::Function;
 use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
 use super::super::contract::Contract;
 use super::super::source::{self, Text};
-use crate::expression::lower;
+use crate::expression::{known_functions, lower};
 
 /// Why a text does not hold the reference expressions of a contract.
 #[derive(Debug, Error, Diagnostic)]
@@ -79,9 +80,7 @@ pub enum ReferenceMistake {
     },
     /// A function that no kernel can compute.
     #[error("`{worksheet}` calls `{name}`, which kernels cannot compute")]
-    #[diagnostic(help(
-        "kernels know + - * / ^, sqrt(x), abs(x), max(x, y), min(x, y) and positive_root(polynomial, x)"
-    ))]
+    #[diagnostic(help("kernels know + - * / ^, {} and positive_root(polynomial, x)", known_functions()))]
     UnknownFunction {
         /// The function.
         worksheet: String,
@@ -107,9 +106,7 @@ pub enum ReferenceMistake {
     },
     /// Not arithmetic at all.
     #[error("`{worksheet}` is not a closed form")]
-    #[diagnostic(help(
-        "kernels know + - * / ^, sqrt(x), abs(x), max(x, y), min(x, y) and positive_root(polynomial, x)"
-    ))]
+    #[diagnostic(help("kernels know + - * / ^, {} and positive_root(polynomial, x)", known_functions()))]
     NotArithmetic {
         /// The function.
         worksheet: String,
@@ -223,7 +220,7 @@ impl<'a> Body<'a> {
 
     fn call(&mut self, expression: &'a Expr) {
         match expression.as_call() {
-            Some(("sqrt" | "abs", [argument])) => self.expression(argument),
+            Some((name, [argument])) if Function::in_worksheets(name).is_some() => self.expression(argument),
             Some(("max" | "min", items @ [_, _, ..])) => items.iter().for_each(|item| self.expression(item)),
             Some(("positive_root", [polynomial, variable])) => self.root(polynomial, variable),
             Some((name, _)) => {

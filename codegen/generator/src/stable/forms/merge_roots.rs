@@ -7,6 +7,7 @@ use crate::stable::builder::Builder;
 use crate::stable::quotient::{Factor, Quotient};
 use crate::stable::rule::Rule;
 use crate::stable::surd::Surd;
+use closedform_syntax::Function;
 
 /// The rule.
 pub const RULE: Rule = Rule {
@@ -78,7 +79,7 @@ fn merged(
         quotient.multiply_node(root, 1);
     } else if !merged.is_empty() {
         let radicand = builder.quotient(&inside)?;
-        let root = builder.graph.sqrt(radicand);
+        let root = builder.graph.call(Function::Sqrt, radicand);
         builder.mark(&RULE, root);
         quotient.multiply_node(root, if below { -1 } else { 1 });
     }
