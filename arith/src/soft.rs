@@ -7,7 +7,6 @@ mod real;
 
 use core::cmp::Ordering;
 
-use crate::exact::Operand;
 use crate::float;
 
 /// A number `bits * 2^exponent`, the leading bit of `bits` set, or the negative of it; or zero, or not a number.
@@ -180,12 +179,6 @@ impl Soft {
     /// The same bits, as a number from 1 to 2.
     fn scaled(self) -> Self {
         Soft { exponent: -127, ..self }
-    }
-
-    /// Rounded to 53 bits; `None` unless it is a number.
-    fn operand(self) -> Option<Operand> {
-        let operand = Operand::of(self.scaled().to_f64())?;
-        Some(Operand { exponent: operand.exponent + self.leading(), ..operand })
     }
 
     fn negated(self) -> Self {

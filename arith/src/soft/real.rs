@@ -1,11 +1,19 @@
 //! Programs in integers with an endless exponent: `Real` for `Soft`.
 
 use super::{Kind, Soft};
-use crate::exact;
+use crate::exact::{self, Operand};
 use crate::function::Function;
 use crate::real::Real;
 use crate::root;
 use crate::terms::Terms;
+
+impl Soft {
+    /// Rounded to 53 bits; `None` unless it is a number.
+    fn operand(self) -> Option<Operand> {
+        let operand = Operand::of(self.scaled().to_f64())?;
+        Some(Operand { exponent: operand.exponent + self.leading(), ..operand })
+    }
+}
 
 impl Real for Soft {
     type Wide = Soft;
