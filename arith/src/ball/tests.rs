@@ -103,16 +103,21 @@ fn operations_hold<const L: usize>(rounds: u32, seed: u64) {
             quotients += 1;
             assert!(holds(&quotient, &Float::with_val(BITS, &x / &y)), "quotient, {round}");
         }
-        let root = a.call(Function::Sqrt);
-        if root.kind == Kind::Number {
-            roots += 1;
-            assert!(holds(&root, &x.clone().sqrt()), "root, {round}");
+        for function in Function::ALL {
+            let value = a.call(function);
+            let mut exact = x.clone();
+            function.mpfr(&mut exact);
+            if value.kind == Kind::Number {
+                roots += 1;
+                assert!(holds(&value, &exact), "{function:?}, {round}");
+            }
+            assert!(value.kind != Kind::Unknown || !function.is_total(), "{function:?}, {round}");
         }
         if let Some(order) = a.partial_cmp(&b) {
             assert_eq!(Some(order), x.partial_cmp(&y), "order, {round}");
         }
     }
-    assert!(quotients > rounds / 3 && roots > rounds / 5, "{quotients} quotients and {roots} roots of {rounds}");
+    assert!(quotients > rounds / 3 && roots > 2 * rounds, "{quotients} quotients and {roots} roots of {rounds}");
 }
 
 #[test]
@@ -221,6 +226,39 @@ fn separation_bounds_hold() {
         power = power.times(&small);
         let least = power.separation.and_then(Separation::least).unwrap();
         let exact = (Float::with_val(BITS, 2).sqrt() - 1u32).pow(exponent);
+        assert!(Float::with_val(BITS, exact) >= Float::with_val(BITS, 1) << i32::try_from(least).unwrap());
+    }
+}
+
+/// Of roots of several degrees: (sqrt(2) + cbrt(3))^2 - 2 - cbrt(9) - 2 sqrt(2) cbrt(3) is zero, and with another last
+/// number it is not.
+#[test]
+fn sums_of_roots_of_several_degrees_are_zero_or_not() {
+    let settling = Settling::default();
+    for (last, vanishes) in [(3.0, true), (3.0_f64.next_up(), false)] {
+        let number = |x| Ball::<64>::new(x, &settling);
+        let root = |degree, x| number(x).call(Function::root(degree).unwrap());
+        let (two, three) = (root(2, 2.0), root(3, 3.0));
+        let square = two.plus(&three).times(&two.plus(&three));
+        let doubled = number(2.0).times(&two).times(&root(3, last));
+        let rest = square.plus(&number(-2.0)).plus(&root(3, 9.0).negated()).plus(&doubled.negated());
+        let expected = if vanishes { Ordering::Equal } else { Ordering::Less };
+        assert_eq!(rest.partial_cmp(&number(0.0)), Some(expected));
+    }
+    assert!(!settling.is_unsettled());
+}
+
+/// The same of cube roots: the powers of 2 - cbrt(7) come near zero.
+#[test]
+fn separation_bounds_hold_of_cube_roots() {
+    let settling = Settling::default();
+    let root = Ball::<64>::new(7.0, &settling).call(Function::root(3).unwrap());
+    let small = Ball::new(2.0, &settling).plus(&root.negated());
+    let mut power = Ball::new(1.0, &settling);
+    for exponent in 1..100 {
+        power = power.times(&small);
+        let least = power.separation.and_then(Separation::least).unwrap();
+        let exact = (Float::with_val(BITS, 2) - Float::with_val(BITS, 7).cbrt()).pow(exponent);
         assert!(Float::with_val(BITS, exact) >= Float::with_val(BITS, 1) << i32::try_from(least).unwrap());
     }
 }

@@ -43,7 +43,7 @@ impl Definition for Abs {
         x.magnitude()
     }
 
-    #[cfg(feature = "mpfr")]
+    #[cfg(any(test, feature = "mpfr"))]
     fn mpfr(x: &mut rug::Float) {
         x.abs_mut();
     }

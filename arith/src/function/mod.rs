@@ -7,6 +7,7 @@
 //! needs comparisons and no arithmetic, and rounds nothing.
 
 mod abs;
+mod cbrt;
 mod cost;
 mod operations;
 mod properties;
@@ -39,7 +40,7 @@ trait Definition {
     fn ball<'a, const L: usize>(x: &Ball<'a, L>) -> Ball<'a, L>;
 
     /// In MPFR, correctly rounded.
-    #[cfg(feature = "mpfr")]
+    #[cfg(any(test, feature = "mpfr"))]
     fn mpfr(x: &mut rug::Float);
 }
 
@@ -99,7 +100,7 @@ macro_rules! functions {
             }
 
             /// Its value in MPFR, in place.
-            #[cfg(feature = "mpfr")]
+            #[cfg(any(test, feature = "mpfr"))]
             pub fn mpfr(self, x: &mut rug::Float) {
                 match self {
                     $(Self::$name => $file::$name::mpfr(x),)*
@@ -112,6 +113,7 @@ macro_rules! functions {
 functions! {
     Sqrt in sqrt counted as sqrt,
     Abs in abs,
+    Cbrt in cbrt counted as cbrt,
 }
 
 impl Function {

@@ -47,7 +47,7 @@ impl Definition for Sqrt {
         x.root(2, float::sqrt)
     }
 
-    #[cfg(feature = "mpfr")]
+    #[cfg(any(test, feature = "mpfr"))]
     fn mpfr(x: &mut rug::Float) {
         x.sqrt_mut();
     }

@@ -4,4 +4,4 @@ mod sign;
 mod tower;
 
 pub use sign::{Facts, Sign, Slack};
-pub use tower::{Element, Radical, Tower, TowerError, conjugate, parts};
+pub use tower::{Element, Radical, Tower, TowerError, parts, powers};

@@ -219,6 +219,13 @@ impl Graph {
         self.push(Op::Sub(a, b), sign, error)
     }
 
+    /// The sum of two terms that the caller knows to have this sign, or to be zero.
+    pub fn add_of_one_sign(&mut self, a: Node, b: Node, sign: Sign) -> Node {
+        let node = self.add(a, b);
+        let error = self.error(a).max(self.error(b)) + ROUNDING;
+        self.with_error(node, sign, error)
+    }
+
     fn error_of_sum(&self, a: Node, b: Node, same_sign: bool) -> f64 {
         let worst = self.error(a).max(self.error(b));
         if worst == 0.0 || same_sign { worst + ROUNDING } else { f64::INFINITY }

@@ -31,6 +31,8 @@ pub struct AllForms {
     pub polynomials: Forms<Polynomial>,
     /// Of sums with a square root, times a quotient.
     pub surds: Forms<Surd>,
+    /// Of sums with a cube root, times a quotient.
+    pub cubics: Forms<Surd>,
     /// Of quotients.
     pub quotients: Forms<Quotient>,
 }
@@ -119,11 +121,17 @@ impl Builder {
             None => {
                 let radicand = self.tower.element(&radical.radicand);
                 let inside = self.element(&radicand)?;
-                self.graph.call(Function::Sqrt, inside)
+                self.root(radical.degree, inside)
             }
         };
         self.stand_ins.insert(var, node);
         Ok(node)
+    }
+
+    /// The root of a step.
+    pub fn root(&mut self, degree: u32, inside: Node) -> Node {
+        let function = Function::root(degree).expect("the degree of a radical is that of a function");
+        self.graph.call(function, inside)
     }
 
     /// The steps of an element.
@@ -164,12 +172,13 @@ impl Builder {
         self.surd(&Surd::new(primitive, radical, quotient))
     }
 
-    /// The steps of a sum with a square root, times a quotient.
+    /// The steps of a sum with a root, times a quotient.
     ///
     /// # Errors
     /// When the tower has no room left.
     pub fn surd(&mut self, surd: &Surd) -> Result<Node, TowerError> {
-        self.forms.surds.steps(self, surd)
+        let forms = if surd.radical.degree == 3 { &self.forms.cubics } else { &self.forms.surds };
+        forms.steps(self, surd)
     }
 
     /// The steps of a quotient.

@@ -11,8 +11,8 @@ use super::builder::{AllForms, Builder, Form, Forms};
 use super::candidate::Candidate;
 use super::forms::through_result::{Earlier, Later};
 use super::forms::{
-    certified, compensated, conjugate, differences_first, divided, factored, known_sum, merge_roots, plain,
-    same_sign_radicand, sign_branch, sum, through_result,
+    certified, compensated, conjugate, cube_conjugate, cubic, differences_first, divided, factored, known_sum,
+    merge_cubes, merge_roots, plain, same_sign_radicand, sign_branch, sum, through_result,
 };
 use super::passes::double_double::{self, DoubleDouble};
 use super::passes::gathered::{self, Gathered};
@@ -24,10 +24,11 @@ use crate::field::{Element, Tower, TowerError};
 use crate::program::{Graph, Node};
 
 /// Every rule, in alphabetical order.
-pub const ALL: [&Rule; 15] = [
+pub const ALL: [&Rule; 17] = [
     &certified::RULE,
     &compensated::RULE,
     &conjugate::RULE,
+    &cube_conjugate::RULE,
     &differences_first::RULE,
     &distributed::RULE,
     &double_double::RULE,
@@ -35,6 +36,7 @@ pub const ALL: [&Rule; 15] = [
     &falling_newton::RULE,
     &gathered::RULE,
     &known_sum::RULE,
+    &merge_cubes::RULE,
     &merge_roots::RULE,
     &one_reciprocal::RULE,
     &same_sign_radicand::RULE,
@@ -46,8 +48,12 @@ pub const ALL: [&Rule; 15] = [
 const FORMS: &AllForms = &AllForms {
     polynomials: Forms { tried: &[plain::steps, differences_first::steps, known_sum::steps], last: compensated::steps },
     surds: Forms {
-        tried: &[merge_roots::steps, same_sign_radicand::steps, sum::steps, conjugate::steps],
+        tried: &[merge_cubes::steps, merge_roots::steps, same_sign_radicand::steps, sum::steps, conjugate::steps],
         last: sign_branch::steps,
+    },
+    cubics: Forms {
+        tried: &[merge_cubes::steps, merge_roots::steps, cubic::steps, cube_conjugate::steps],
+        last: sign_branch::of_cubes,
     },
     quotients: Forms { tried: &[factored::steps], last: divided::steps },
 };

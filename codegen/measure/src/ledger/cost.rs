@@ -57,8 +57,9 @@ fn certified(count: &Operations) -> u32 {
 /// The formula as it is written; `None` where it has no such form.
 pub(super) fn naive(formula: &Expr) -> Option<u32> {
     let count = double_operations(formula)?;
-    let root = Function::Sqrt.properties().cost.double;
-    Some(count.add + count.mul + DIVISION * count.div + root * count.sqrt)
+    let root = |function: Function, calls: u32| calls * function.properties().cost.double;
+    let roots = root(Function::Sqrt, count.sqrt) + root(Function::Cbrt, count.cbrt);
+    Some(count.add + count.mul + DIVISION * count.div + roots)
 }
 
 /// The calls of functions, each at its cost.

@@ -98,20 +98,33 @@ fn power(base: &Ast, exponent: &Ast, ast: &Ast) -> Result<Expr, LowerError> {
             Err(unsupported(ast, "0^0", "it has no value, in Maxima either: say which one is meant"))
         }
         (Some(n), Some(1)) => Ok(integer_power(base, n as i32)),
-        (Some(n), Some(2)) => {
-            let root = Expr::call(Function::Sqrt, base.clone());
-            let whole = n.div_euclid(2);
+        (Some(n), Some(degree)) if let Some(root) = root(degree) => {
+            // an even root comes with a power of what stands under it, so that it stands above the bar
+            let whole = if degree % 2 == 0 { n.div_euclid(degree) } else { n / degree };
+            let root = integer_power(Expr::call(root, base.clone()), (n - degree * whole) as i32);
             Ok(if whole == 0 { root } else { integer_power(base, whole as i32).times(root) })
         }
         _ => Err(unsupported(
             ast,
             &format!("the exponent {exponent_value}"),
             &format!(
-                "only integers and halves up to {MAX_EXPONENT} are possible; give a root of a polynomial as \
-                 positive_root(polynomial, x)"
+                "only exponents n/d with n up to {MAX_EXPONENT} and d = 1, {} are possible; give another root of a \
+                 polynomial as positive_root(polynomial, x)",
+                degrees()
             ),
         )),
     }
+}
+
+/// The root of this degree, if the table has it.
+fn root(degree: i64) -> Option<Function> {
+    u32::try_from(degree).ok().and_then(Function::root)
+}
+
+/// The degrees of the roots of the table, as a list.
+fn degrees() -> String {
+    let degrees = Function::ALL.into_iter().filter_map(Function::degree);
+    degrees.map(|degree| degree.to_string()).collect::<Vec<_>>().join(", ")
 }
 
 fn integer_power(base: Expr, exponent: i32) -> Expr {

@@ -3,6 +3,7 @@
 mod surds;
 
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, exact, print};
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -50,10 +51,10 @@ fn collect(expr: &Expr, texts: &mut Vec<String>) {
     }
 }
 
-/// `base^exponent`: a half needs a radicand, a minus a denominator.
+/// `base^exponent`: a half needs a radicand, a minus a denominator. Odd roots are real of all numbers.
 fn power(base: &Expr, exponent: &Expr, texts: &mut Vec<String>) {
     let Some(exponent) = number(exponent) else { return };
-    match (exponent.is_integer(), exponent.is_negative()) {
+    match (is_odd(exponent.denom()), exponent.is_negative()) {
         (false, true) => condition(base, ">", texts),
         (false, false) => condition(base, ">=", texts),
         (true, true) => not_zero(base, texts),
@@ -103,8 +104,24 @@ fn not_zero(expr: &Expr, texts: &mut Vec<String>) {
     }
 }
 
+fn is_odd(number: &BigInt) -> bool {
+    number.bit(0)
+}
+
+/// What has the sign of an odd power or root of it.
+fn without_odd_power(expr: &Expr) -> &Expr {
+    match &expr.kind {
+        ExprKind::Binary { operator: BinaryOperator::Power, left, right } => match number(right) {
+            Some(power) if is_odd(power.numer()) && is_odd(power.denom()) => without_odd_power(left),
+            _ => expr,
+        },
+        _ => expr,
+    }
+}
+
 /// `expr operator 0`, unless it says nothing because no input occurs in it.
 fn condition(expr: &Expr, operator: &str, texts: &mut Vec<String>) {
+    let expr = without_odd_power(expr);
     let text = match surds::decide(expr, operator) {
         Some(Decision::Always) => return,
         Some(Decision::Where(text)) => text,
@@ -149,6 +166,8 @@ mod tests {
         assert_eq!(texts("a/sqrt(sqrt(b))", &["a", "b"]), ["b >= 0", "b > 0"]);
         assert_eq!(texts("a/sqrt(abs(b))", &["a", "b"]), ["b # 0"]);
         assert_eq!(texts("a/%pi+a^2", &["a"]), [""; 0]);
+        assert_eq!(texts("(a/b)^(2/3)-a^(1/3)", &["a", "b"]), ["b # 0"]);
+        assert_eq!(texts("a^(-1/3)+sqrt((a-b)^(1/3))", &["a", "b"]), ["a # 0", "a-b >= 0"]);
     }
 
     #[test]

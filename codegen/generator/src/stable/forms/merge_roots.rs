@@ -23,7 +23,7 @@ pub const RULE: Rule = Rule {
 pub fn steps(builder: &mut Builder, surd: &Surd) -> Result<Option<Node>, TowerError> {
     let common = builder.tower.radicals().iter().rev().find_map(|radical| {
         let (rational, rest) = parts(&surd.sum, radical.var);
-        (rational.is_zero() && !rest.is_zero()).then(|| (radical.clone(), rest))
+        (radical.degree == 2 && rational.is_zero() && !rest.is_zero()).then(|| (radical.clone(), rest))
     });
     let Some((radical, rest)) = common else { return Ok(None) };
     merged(builder, &rest, &radical, surd.quotient.clone()).map(Some)
@@ -50,7 +50,7 @@ fn merged(
             inside.multiply(&root.radicand, 1);
             merged.push(root.var);
         }
-        next = builder.tower.top_radical(&rest).cloned();
+        next = builder.tower.top_radical(&rest).filter(|radical| radical.degree == 2).cloned();
         if let Some(root) = &next {
             let (rational, surd) = parts(&rest, root.var);
             if !rational.is_zero() {

@@ -1,6 +1,6 @@
 //! Rule `sign-branch`: where the sign of a term decides which form cancels, the kernel decides by that sign.
 
-use super::{conjugate, sum};
+use super::{conjugate, cube_conjugate, cubic, sum};
 use crate::field::{Sign, TowerError};
 use crate::program::{Condition, Graph, Node, Order};
 use crate::stable::builder::Builder;
@@ -33,6 +33,23 @@ pub fn steps(builder: &mut Builder, surd: &Surd) -> Result<Node, TowerError> {
     let node = builder.graph.select(condition, then, otherwise);
     builder.mark(&RULE, node);
     builder.mark(&conjugate::RULE, otherwise);
+    Ok(node)
+}
+
+/// Either form of a sum of two terms with cube roots, chosen by their signs.
+///
+/// # Errors
+/// When there are three terms, of which no form keeps the digits; when the tower has no room left.
+pub fn of_cubes(builder: &mut Builder, surd: &Surd) -> Result<Node, TowerError> {
+    let terms = cubic::terms(builder, surd)?;
+    let [a, b] = terms[..] else { return Err(TowerError::CancellingCubes) };
+    let condition = agreement(&mut builder.graph, (a.node, a.sign), (b.node, b.sign));
+    let sign = if b.sign.is_definite() { b.sign } else { a.sign };
+    let then = cubic::added(builder, surd, &terms, if sign.is_definite() { sign } else { Sign::ANY })?;
+    let otherwise = cube_conjugate::rationalised(builder, surd, [a, b])?;
+    let node = builder.graph.select(condition, then, otherwise);
+    builder.mark(&RULE, node);
+    builder.mark(&cube_conjugate::RULE, otherwise);
     Ok(node)
 }
 
