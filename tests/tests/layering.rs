@@ -253,6 +253,21 @@ fn absent(folders: &[&str], what: &[&str]) {
     }
 }
 
+/// The most files that may name the cube root, which stands for every function that is added to the table.
+const FILES_OF_A_FUNCTION: usize = 12;
+
+#[test]
+fn a_function_of_the_table_stands_in_few_files() {
+    let files = workspace::files();
+    let generated: BTreeSet<&str> = workspace::generated(&files).into_iter().map(|file| file.path.as_str()).collect();
+    let is_test = |path: &str| path.contains("tests/") || path.ends_with("tests.rs");
+    let source = |path: &str| path.ends_with(".rs") && !is_test(path) && !generated.contains(path);
+    let naming = files.iter().filter(|file| source(&file.path));
+    let naming = naming.filter(|file| ["cbrt", "Cbrt"].iter().any(|name| layering::names(file, name)));
+    let naming: Vec<&str> = naming.map(|file| file.path.as_str()).collect();
+    assert!(naming.contains(&"arith/src/function/cbrt.rs") && naming.len() <= FILES_OF_A_FUNCTION, "{naming:?}");
+}
+
 #[test]
 fn no_float_comes_before_programs() {
     absent(&["project/src/expression", "generator/src/algebra", "generator/src/field"], &["f64", "f32", "_float"]);
