@@ -44,7 +44,7 @@ const FEW: &str = "few_roundings = true\n";
 const ONE_DIVISION: &str = "few_roundings = false\none_division = true\n";
 
 /// Where conditions hold.
-const USED: [Case; 29] = [
+const USED: [Case; 31] = [
     case("compensated", "", &["?*a*b-c*d"]),
     case("compensated", POSITIVE, &["?*a^2*b-c"]),
     case("conjugate", "a >= 0;b > 0", &["sqrt(?*a+b)-sqrt(?*a)"]),
@@ -53,6 +53,8 @@ const USED: [Case; 29] = [
     case("cube-conjugate", "a > 0;b > 0", &["(a*b)^(2/3)-?*a"]),
     case("cube-conjugate", "a < 0;b > 0", &["?*a^(1/3)+b^(1/3)"]),
     case("cube-conjugate", "", &["a^(1/3)-(?*b)^(1/3)"]),
+    case("cube-quotient", "a # b", &["1/(a^(1/3)-b^(1/3))"]),
+    case("cube-quotient", "a > 0;b < 0", &["c/((?*a)^(1/3)-b^(1/3))"]),
     case("differences-first", "c > 0", &["?*a/c-?*b/c-d"]),
     case("distributed", POSITIVE, &["3*a*(5*b*sqrt(c)+c)"]),
     with(FEW, case("double-double", POSITIVE, &["a*b/sqrt(?*a+b*c)"])),
@@ -77,7 +79,7 @@ const USED: [Case; 29] = [
 ];
 
 /// Where they do not: what the rule would make of these is wrong, cancels, or is not worth it.
-const REFUSED: [Case; 29] = [
+const REFUSED: [Case; 31] = [
     // the terms agree in sign
     case("compensated", POSITIVE, &["?*a*b+c*d"]),
     // the terms of the root's sum agree in sign
@@ -91,6 +93,10 @@ const REFUSED: [Case; 29] = [
     case("cube-conjugate", POSITIVE, &["1/((a+?*b)^(1/3)-a^(1/3))"]),
     // three terms, two of which stand against one
     case("cube-conjugate", POSITIVE, &["a^(1/3)+b^(1/3)-?*c^(1/3)"]),
+    // the terms agree in sign
+    case("cube-quotient", "a > b;b > 0", &["1/(a^(1/3)-b^(1/3))"]),
+    // these three terms are no squares with a product
+    case("cube-quotient", POSITIVE, &["a^(2/3)-?*(a*b)^(1/3)+b^(2/3)+c"]),
     // h is left of a + h and b + h
     case("differences-first", "c > 0", &["5*a/c-7*b/c-d"]),
     // the factor has either sign, and so have the terms: their sum may be of terms of other signs than that of the formula

@@ -115,7 +115,7 @@ impl Builder {
         let radical = radical.ok_or(TowerError::TooManyRadicals)?;
         let node = match self.tower.magnitude_of(&radical) {
             Some(inside) => {
-                let inside = self.polynomial(&inside)?;
+                let inside = self.value(&inside)?;
                 self.graph.call(Function::Abs, inside)
             }
             None => {

@@ -11,8 +11,8 @@ use super::builder::{AllForms, Builder, Form, Forms};
 use super::candidate::Candidate;
 use super::forms::through_result::{Earlier, Later};
 use super::forms::{
-    certified, compensated, conjugate, cube_conjugate, cubic, differences_first, divided, factored, known_sum,
-    merge_cubes, merge_roots, plain, same_sign_radicand, sign_branch, sum, through_result,
+    certified, compensated, conjugate, cube_conjugate, cube_quotient, cubic, differences_first, divided, factored,
+    known_sum, merge_cubes, merge_roots, plain, same_sign_radicand, sign_branch, sum, through_result,
 };
 use super::passes::double_double::{self, DoubleDouble};
 use super::passes::gathered::{self, Gathered};
@@ -24,11 +24,12 @@ use crate::field::{Element, Tower, TowerError};
 use crate::program::{Graph, Node};
 
 /// Every rule, in alphabetical order.
-pub const ALL: [&Rule; 17] = [
+pub const ALL: [&Rule; 18] = [
     &certified::RULE,
     &compensated::RULE,
     &conjugate::RULE,
     &cube_conjugate::RULE,
+    &cube_quotient::RULE,
     &differences_first::RULE,
     &distributed::RULE,
     &double_double::RULE,
@@ -52,7 +53,7 @@ const FORMS: &AllForms = &AllForms {
         last: sign_branch::steps,
     },
     cubics: Forms {
-        tried: &[merge_cubes::steps, merge_roots::steps, cubic::steps, cube_conjugate::steps],
+        tried: &[merge_cubes::steps, merge_roots::steps, cubic::steps, cube_conjugate::steps, cube_quotient::steps],
         last: sign_branch::of_cubes,
     },
     quotients: Forms { tried: &[factored::steps], last: divided::steps },

@@ -1,5 +1,6 @@
 //! Natural domains: what a formula needs by itself, whatever is promised of its inputs.
 
+mod cubes;
 mod surds;
 
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, exact, print};
@@ -12,7 +13,7 @@ use surds::Decision;
 
 /// The conditions under which a formula has a real value: radicands not negative, denominators not zero.
 ///
-/// Of sums of two terms with square roots, squares decide. Any other condition whose sides are no rational functions is
+/// Of sums of two terms with square roots, squares decide, and cubes of those with cube roots. Any other condition whose sides are no rational functions is
 /// left out: it cannot be decided exactly.
 pub(super) fn natural_domain(body: &Expr, parameters: &[String]) -> Vec<(String, Condition)> {
     let mut texts = Vec::new();
@@ -125,7 +126,7 @@ fn condition(expr: &Expr, operator: &str, texts: &mut Vec<String>) {
     let text = match surds::decide(expr, operator) {
         Some(Decision::Always) => return,
         Some(Decision::Where(text)) => text,
-        None => format!("{} {operator} 0", print(expr)),
+        None => format!("{} {operator} 0", cubes::decide(expr).unwrap_or_else(|| print(expr))),
     };
     if has_input(expr) && !texts.contains(&text) {
         texts.push(text);
@@ -174,6 +175,15 @@ mod tests {
     fn what_cannot_be_decided_exactly_is_left_out() {
         assert_eq!(texts("sqrt(1-sqrt(1+sqrt(x)))", &["x"]), ["x >= 0"]);
         assert_eq!(texts("1/(sqrt(x)+sqrt(y)-sqrt(z))", &["x", "y", "z"]), ["x >= 0", "y >= 0", "z >= 0"]);
+    }
+
+    #[test]
+    fn cubes_decide_about_two_cube_roots() {
+        let last = |formula: &str| texts(formula, &["a", "b"]).pop();
+        assert_eq!(last("1/(a^(1/3)-b^(1/3))").as_deref(), Some("a-b # 0"));
+        assert_eq!(last("sqrt(2*a*b^(2/3)-3)").as_deref(), Some("2^3*a^3*b^2-3^3 >= 0"));
+        assert_eq!(last("sqrt(b-a^(1/3)/2)").as_deref(), Some("b^3-a/2^3 >= 0"));
+        assert_eq!(last("1/(a^(1/3)+b^(1/3)-1)"), None);
     }
 
     #[test]

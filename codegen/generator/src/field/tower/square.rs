@@ -47,8 +47,10 @@ impl Tower {
         let mut outside = self.ring.constant(&BigRational::from_integer(square));
         let denominator = BigRational::from_integer(rational.denom().clone());
         let mut inside = radicand.scaled(&(BigRational::from_integer(rest) / &rational));
-        for (factor, exponent) in &content.factors().powers {
-            let sign = self.facts.sign(factor);
+        let mut factors = content.factors().powers;
+        factors.extend(self.squared_cube_roots(radicand));
+        for (factor, exponent) in &factors {
+            let sign = self.sign_of(factor);
             if *exponent < 2 || !sign.is_definite() {
                 continue;
             }
@@ -61,6 +63,15 @@ impl Tower {
             return Err(TowerError::NegativeRadicand);
         }
         Ok((outside, denominator, inside))
+    }
+
+    /// The cube roots whose squares are factors of a polynomial.
+    fn squared_cube_roots(&self, polynomial: &Polynomial) -> impl Iterator<Item = (Polynomial, u32)> {
+        let terms = polynomial.terms();
+        let cubes = self.radicals.iter().filter(|radical| radical.degree == 3);
+        cubes
+            .filter(move |radical| terms.iter().all(|term| term.exponents[radical.var.0] == 2))
+            .map(|radical| (self.ring.variable(radical.var), 2))
     }
 
     /// The root of a polynomial, through radicals that the tower has, or as a new one.
@@ -138,7 +149,8 @@ impl Tower {
         let factors = radical.radicand.factors();
         let even = factors.powers.iter().all(|(_, power)| power % 2 == 0);
         let root = factors.powers.iter().fold(self.ring.integer(1), |p, (f, power)| p.times(&f.power(power / 2)));
-        (even && factors.constant.is_one() && self.top_radical(&radical.radicand).is_none()).then_some(root)
+        let nested = self.top_radical(&radical.radicand).is_some_and(|inside| inside.degree == 2);
+        (even && factors.constant.is_one() && !nested).then_some(root)
     }
 }
 

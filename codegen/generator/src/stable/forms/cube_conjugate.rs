@@ -2,7 +2,7 @@
 
 use super::cubic::{self, Term};
 use crate::field::{Sign, TowerError};
-use crate::program::Node;
+use crate::program::{Node, Op};
 use crate::stable::builder::Builder;
 use crate::stable::rule::Rule;
 use crate::stable::surd::Surd;
@@ -45,6 +45,8 @@ pub fn rationalised(builder: &mut Builder, surd: &Surd, [a, b]: [Term; 2]) -> Re
         return Ok(builder.graph.constant(&BigRational::zero()));
     }
     let graph = &mut builder.graph;
+    // what stands below the bar is the same of -a and -b
+    let (a, b) = if matches!(graph.op(a.node), Op::Neg(_)) { (a.negated(graph), b.negated(graph)) } else { (a, b) };
     let turned = graph.neg(b.node);
     let difference = graph.add_of_one_sign(a.node, turned, a.sign.plus(-b.sign));
     let product = graph.mul(a.node, difference);

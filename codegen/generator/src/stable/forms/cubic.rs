@@ -2,7 +2,7 @@
 
 use super::sum;
 use crate::field::{Sign, TowerError};
-use crate::program::Node;
+use crate::program::{Graph, Node};
 use crate::stable::builder::Builder;
 use crate::stable::surd::Surd;
 
@@ -13,6 +13,14 @@ pub struct Term {
     pub node: Node,
     /// Its sign.
     pub sign: Sign,
+}
+
+impl Term {
+    /// The term with the other sign.
+    #[must_use]
+    pub fn negated(self, graph: &mut Graph) -> Self {
+        Self { node: graph.neg(self.node), sign: -self.sign }
+    }
 }
 
 /// The sum, if its terms have one sign.

@@ -1,7 +1,7 @@
 //! Rule `merge-cubes`: a product of cube roots, and a quotient by a factor of what stands under them, become one root.
 
 use crate::algebra::Polynomial;
-use crate::field::{Radical, TowerError};
+use crate::field::{Radical, Tower, TowerError};
 use crate::program::Node;
 use crate::stable::builder::Builder;
 use crate::stable::quotient::{Factor, Quotient};
@@ -25,19 +25,31 @@ type Common = (Radical, u32);
 /// # Errors
 /// When the tower has no room left.
 pub fn steps(builder: &mut Builder, surd: &Surd) -> Result<Option<Node>, TowerError> {
-    let cubes = builder.tower.radicals().iter().filter(|radical| radical.degree == 3);
-    let common: Vec<Common> = cubes.map(|radical| (radical.clone(), times_in(&surd.sum, radical))).collect();
-    let common: Vec<Common> = common.into_iter().filter(|(_, times)| *times > 0).collect();
+    let common = common(&builder.tower, &surd.sum);
     if common.is_empty() {
         return Ok(None);
     }
-    let roots = common.iter().fold(builder.tower.ring().integer(1), |product, (radical, times)| {
-        product.times(&builder.tower.ring().variable(radical.var).power(*times))
-    });
+    let roots = common_roots(&builder.tower, &surd.sum);
     let Some(rest) = surd.sum.divided_by(&roots) else { return Ok(None) };
     let mut quotient = surd.quotient.clone();
     multiply_roots(builder, &common, &mut quotient)?;
     builder.product(&rest, quotient).map(Some)
+}
+
+/// The cube roots that are factors of a whole sum.
+fn common(tower: &Tower, sum: &Polynomial) -> Vec<Common> {
+    let cubes = tower.radicals().iter().filter(|radical| radical.degree == 3);
+    cubes.map(|radical| (radical.clone(), times_in(sum, radical))).filter(|(_, times)| *times > 0).collect()
+}
+
+/// Their product, as a polynomial in radicals.
+#[must_use]
+pub fn common_roots(tower: &Tower, sum: &Polynomial) -> Polynomial {
+    let variable = |radical: &Radical| tower.ring().variable(radical.var);
+    let common = common(tower, sum);
+    common
+        .iter()
+        .fold(tower.ring().integer(1), |product, (radical, times)| product.times(&variable(radical).power(*times)))
 }
 
 /// How often a radical is a factor of every term.

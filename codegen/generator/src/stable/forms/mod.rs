@@ -7,6 +7,7 @@ pub mod certified;
 pub mod compensated;
 pub mod conjugate;
 pub mod cube_conjugate;
+pub mod cube_quotient;
 pub mod cubic;
 pub mod differences_first;
 pub mod divided;
