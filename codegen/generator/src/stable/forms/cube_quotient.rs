@@ -2,11 +2,11 @@
 
 use super::cubic::{self, Term};
 use super::merge_cubes;
+use super::sign_branch::agreement;
 use crate::algebra::Polynomial;
 use crate::field::{Sign, TowerError};
 use crate::program::Node;
 use crate::stable::builder::Builder;
-use crate::stable::comparison::{compared_with_zero, not_opposite};
 use crate::stable::rule::Rule;
 use crate::stable::surd::Surd;
 use num_traits::Signed;
@@ -27,18 +27,20 @@ pub fn steps(builder: &mut Builder, surd: &Surd) -> Result<Option<Node>, TowerEr
     let ([_, middle, _], Some(below)) = (&parts[..], below(builder, surd)) else { return Ok(None) };
     let signs: Vec<Sign> = parts.iter().map(|part| builder.tower.sign_of(part)).collect();
     let around = signs[0].plus(signs[2]);
-    let Some(order) = not_opposite(around) else { return Ok(None) };
-    if !is_added_where_opposed(builder, &below, middle, around) {
+    if !around.is_definite() || !is_added_where_opposed(builder, &below, middle, around) {
         return Ok(None);
     }
-    let otherwise = quotient(builder, surd, &below)?;
+    let [a, b] = cubic::terms(builder, &below)?[..] else { return Ok(None) };
+    let otherwise = quotient(builder, surd, &below, [a, b])?;
     builder.mark(&RULE, otherwise);
     if signs[1].is(Sign::NONZERO) && signs[1] == -(around & Sign::NONZERO) {
         return Ok(Some(otherwise));
     }
     let terms: Vec<Term> = cubic::terms(builder, surd)?;
     let then = cubic::added(builder, surd, &terms, around)?;
-    let condition = compared_with_zero(&mut builder.graph, terms[1].node, order);
+    // the terms below the bar are opposed, or one is zero, where those of the sum agree
+    let turned = b.negated(&mut builder.graph);
+    let condition = agreement(&mut builder.graph, (a.node, a.sign), (turned.node, turned.sign));
     Ok(Some(builder.graph.select(condition, then, otherwise)))
 }
 
@@ -61,12 +63,10 @@ fn is_added_where_opposed(builder: &Builder, below: &Surd, middle: &Polynomial, 
     factor.is_some_and(|factor| if around.is(Sign::NONNEGATIVE) { factor.is_negative() } else { factor.is_positive() })
 }
 
-fn quotient(builder: &mut Builder, surd: &Surd, below: &Surd) -> Result<Node, TowerError> {
+fn quotient(builder: &mut Builder, surd: &Surd, below: &Surd, [a, b]: [Term; 2]) -> Result<Node, TowerError> {
     let above = builder.tower.reduce(&surd.sum.times(&below.sum));
-    let terms = cubic::terms(builder, below)?;
-    let nodes = terms.iter().rev().map(|term| term.node);
-    let sum = nodes.reduce(|sum, term| builder.graph.add_of_one_sign(sum, term, Sign::ANY));
+    let sum = builder.graph.add_of_one_sign(b.node, a.node, Sign::ANY);
     let mut quotient = surd.quotient.clone();
-    sum.into_iter().for_each(|sum| quotient.multiply_node(sum, -1));
+    quotient.multiply_node(sum, -1);
     builder.product(&above, quotient)
 }

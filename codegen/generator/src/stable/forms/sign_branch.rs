@@ -54,7 +54,7 @@ pub fn of_cubes(builder: &mut Builder, surd: &Surd) -> Result<Node, TowerError> 
 }
 
 /// The condition that two steps are not of opposite signs.
-fn agreement(graph: &mut Graph, a: (Node, Sign), b: (Node, Sign)) -> Condition {
+pub fn agreement(graph: &mut Graph, a: (Node, Sign), b: (Node, Sign)) -> Condition {
     if let Some(order) = not_opposite(b.1) {
         return compared_with_zero(graph, a.0, order);
     }
