@@ -1,6 +1,6 @@
 //! The functions that kernels may call, as data: what holds of each, and how every arithmetic evaluates it.
 //!
-//! A function is a file of this folder, which implements [`Definition`], and a line of the table below. All else asks the
+//! A function is a file of this folder, which implements `Definition`, and a line of the table below. All else asks the
 //! table: no arithmetic, no tree and no text for people names a function.
 //!
 //! They are functions of one number. `max` and `min` are none of them: they choose one of any number of values, which
