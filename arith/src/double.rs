@@ -1,7 +1,7 @@
 //! The arithmetic of `evaluate` in `f64`, and of the rounding errors that judges look at: `Real` for `f64`.
 
 use crate::exact::{self, Operand};
-use crate::float;
+use crate::function::Function;
 use crate::measured::Measured;
 use crate::real::Real;
 use crate::root;
@@ -52,13 +52,8 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn sqrt(&self) -> Self {
-        float::sqrt(*self)
-    }
-
-    #[inline(always)]
-    fn abs(&self) -> Self {
-        f64::abs(*self)
+    fn call(&self, function: Function) -> Self {
+        function.double(*self)
     }
 
     #[inline(always)]

@@ -76,7 +76,7 @@ fn split(x: f64) -> (f64, f64) {
 
 #[cfg(all(test, feature = "std"))]
 mod tests {
-    use super::{dekker_error, product_is_error_free};
+    use crate::error_free::{dekker_error, product_is_error_free};
 
     #[test]
     fn the_split_finds_what_a_fused_multiply_add_finds() {

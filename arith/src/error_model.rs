@@ -28,6 +28,9 @@ pub struct Units {
 }
 
 impl Units {
+    /// No error.
+    pub const NONE: Self = Units::new(0, 1);
+
     const fn new(numerator: u32, denominator: u32) -> Self {
         Units { numerator, denominator }
     }
@@ -41,6 +44,9 @@ impl Units {
 
 /// One step in `f64`, rounded to nearest.
 pub const ROUNDING: Units = Units::new(1, 1);
+
+/// The cube root in `f64`: one rounding of what is right to 2^-75, as its code proves step by step.
+pub const CUBE_ROOT: Units = Units::new(1001, 1000);
 
 /// A compensated expression that is [settled](compensated::threshold) and stays in double-double, or is exact.
 pub const COMPENSATED_IN_DOUBLE_DOUBLE: Units = Units::new(1, 1000);
@@ -78,7 +84,7 @@ pub const CERTIFIED_RADIUS: i64 = -60;
 
 /// Relative errors of operations on [`DoubleDouble`](crate::DoubleDouble), in units of u^2.
 pub mod double_double {
-    use super::UNIT;
+    use crate::error_model::UNIT;
 
     /// Of two numbers in double-double, cancellation or not: JMP theorem 3.1 (algorithm 6, AccurateDWPlusDW), confirmed by MR.
     pub const SUM: f64 = 3.0 / (1.0 - 4.0 * UNIT);
@@ -98,6 +104,9 @@ pub mod double_double {
 
     /// The square root: Lefevre et al. (SQRTDWtoDW).
     pub const ROOT: f64 = 25.0 / 8.0;
+
+    /// The cube root: one step of Newton from that of the leading part, as its code proves.
+    pub const CUBE_ROOT: f64 = 8.0;
 }
 
 /// Errors of parts of compensated expressions: n u^2 times the sum of the magnitudes of their terms.
@@ -107,7 +116,7 @@ pub mod double_double {
 /// theorem's of [`double_double`], rounded up to a whole number that covers terms of higher order, and in products one more
 /// for [what underflows](crate::range::UNDERFLOW).
 pub mod compensated {
-    use super::UNIT;
+    use crate::error_model::UNIT;
 
     /// What a sum of two parts adds.
     pub const SUM: f64 = 4.0;
@@ -148,6 +157,7 @@ const _: () = {
     assert!(counts::PRODUCT_WITH_OPERAND >= double_double::PRODUCT_WITH_F64 + 1.25);
     assert!(RESIDUAL_OPERATION.to_f64() > counts::PRODUCT && RESIDUAL_OPERATION.to_f64() > counts::SUM);
     assert!(DOUBLE_DOUBLE_STEP.to_f64() > 2.0 * double_double::QUOTIENT * UNIT);
+    assert!(double_double::CUBE_ROOT < double_double::QUOTIENT && double_double::ROOT < double_double::QUOTIENT);
     assert!(COMPENSATED.to_f64() >= ROUNDING.to_f64() + COMPENSATED_IN_DOUBLE_DOUBLE.to_f64());
     assert!(CORRECTED_ROOT.to_f64() >= ROUNDING.to_f64() + CORRECTION.to_f64());
     let accepted = range::power_of_two(CERTIFIED_RADIUS) / UNIT;

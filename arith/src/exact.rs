@@ -208,7 +208,7 @@ impl<const WORDS: usize> Sum<WORDS> {
 
 #[cfg(all(test, feature = "std"))]
 mod tests {
-    use super::*;
+    use crate::exact::*;
 
     /// `x*y - z*w`
     const DIFFERENCE: &[u8] = &[2, 0, 1, 0x82, 2, 3];

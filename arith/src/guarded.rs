@@ -10,6 +10,7 @@ use core::cmp::Ordering;
 use crate::double_double::DoubleDouble;
 use crate::error_free::LARGEST_FACTOR;
 use crate::exact::{self, Operand};
+use crate::function::Function;
 use crate::measured::Measured;
 use crate::range;
 use crate::real::Real;
@@ -155,15 +156,11 @@ impl<'a, const WATCHED: bool> Real for Guarded<'a, WATCHED> {
         self.with(-self.value)
     }
 
-    /// Of a negative number it is NaN, which leaves the range.
+    /// Where there is no value it is NaN, which leaves the range.
     #[inline(always)]
-    fn sqrt(&self) -> Self {
-        self.with(self.value.sqrt()).in_range(true)
-    }
-
-    #[inline(always)]
-    fn abs(&self) -> Self {
-        if self.value.round() < 0.0 { self.neg() } else { *self }
+    fn call(&self, function: Function) -> Self {
+        let value = self.with(function.double_double(self.value));
+        if function.is_exact() { value } else { value.in_range(true) }
     }
 
     #[inline(always)]

@@ -2,8 +2,9 @@
 //!
 //! [`Real`] is what a program asks of an arithmetic. The tiers of a call ([`tier`]) are `f64` ([`Plain`]), double-double
 //! ([`Guarded`]), integers with an exponent that never runs out ([`Soft`]), and for certified kernels balls of more and
-//! more words. [`error_model`] says how far off their operations are, and on what authority; [`range`] between which
-//! magnitudes that holds; [`limits`] how large a kernel may be. [`Relation`] is how two numbers compare, in all languages.
+//! more words. What functions it can call is a [table](function). [`error_model`] says how far off their operations are, and
+//! on what authority; [`range`] between which magnitudes that holds; [`limits`] how large a kernel may be. [`Relation`] is
+//! how two numbers compare, in all languages.
 //!
 //! Everything else stands on this crate: what runs kernels, what reads them, and what proves their bounds.
 //!
@@ -24,6 +25,7 @@ mod error_free;
 pub mod error_model;
 mod exact;
 mod float;
+pub mod function;
 mod guarded;
 pub mod limits;
 mod measured;
@@ -40,6 +42,7 @@ mod terms;
 pub mod tier;
 
 pub use double_double::DoubleDouble;
+pub use function::{Function, Operations};
 pub use guarded::Guarded;
 #[cfg(feature = "mpfr")]
 pub use mpfr::Mpfr;

@@ -6,6 +6,7 @@ use rug::Float;
 use rug::float::Constant;
 use rug::ops::NegAssign;
 
+use crate::function::Function;
 use crate::limits::MAX_DEGREE;
 use crate::real::Real;
 use crate::root::{Term, bound, steps, terms};
@@ -72,12 +73,8 @@ impl Real for Mpfr {
         self.with(self, |a, _| a.neg_assign())
     }
 
-    fn sqrt(&self) -> Self {
-        self.with(self, |a, _| a.sqrt_mut())
-    }
-
-    fn abs(&self) -> Self {
-        self.with(self, |a, _| a.abs_mut())
+    fn call(&self, function: Function) -> Self {
+        self.with(self, |a, _| function.mpfr(a))
     }
 
     fn is_finite(&self) -> bool {

@@ -4,6 +4,7 @@ use core::cell::Cell;
 use core::cmp::Ordering;
 
 use crate::exact::{self, Operand};
+use crate::function::Function;
 use crate::measured::Measured;
 use crate::real::Real;
 use crate::root;
@@ -164,15 +165,10 @@ impl<'a, const WATCHED: bool> Real for Plain<'a, WATCHED> {
         self.with(-self.value)
     }
 
-    /// Magnitudes do not tell that a radicand is not negative.
+    /// Magnitudes do not tell that a function has a value; no value of a function over- or underflows.
     #[inline(always)]
-    fn sqrt(&self) -> Self {
-        self.if_fine(Real::sqrt(&self.value), self.value >= 0.0)
-    }
-
-    #[inline(always)]
-    fn abs(&self) -> Self {
-        self.with(self.value.abs())
+    fn call(&self, function: Function) -> Self {
+        self.if_fine(function.double(self.value), function.is_defined(self.value))
     }
 
     #[inline(always)]

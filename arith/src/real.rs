@@ -1,5 +1,6 @@
 //! `Real`: any arithmetic in which a program can run.
 
+use crate::function::Function;
 use crate::terms::Terms;
 
 /// An arithmetic in which the program of a kernel can run.
@@ -30,10 +31,8 @@ pub trait Real: Clone + PartialOrd {
     fn div(&self, other: &Self) -> Self;
     /// `-self`
     fn neg(&self) -> Self;
-    /// The square root; NaN below zero.
-    fn sqrt(&self) -> Self;
-    /// The magnitude.
-    fn abs(&self) -> Self;
+    /// The value of a function; NaN where it has none.
+    fn call(&self, function: Function) -> Self;
     /// Neither infinite nor NaN.
     fn is_finite(&self) -> bool;
     /// The one positive root of c0 + c1 x + .. + cn x^n: see [`positive_root`](crate::positive_root()). `self` sets the

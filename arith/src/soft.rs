@@ -3,13 +3,11 @@
 //! What `faithful` falls back on where double-double would over- or underflow. Every operation is right to 2^-120, a sum
 //! of that relative to its terms; exponents fit in 64 bits, which no program of fewer than some 2^50 steps leaves.
 
+mod real;
+
 use core::cmp::Ordering;
 
-use crate::exact::{self, Operand};
 use crate::float;
-use crate::real::Real;
-use crate::root;
-use crate::terms::Terms;
 
 /// A number `bits * 2^exponent`, the leading bit of `bits` set, or the negative of it; or zero, or not a number.
 #[derive(Clone, Copy, Debug)]
@@ -152,33 +150,35 @@ impl Soft {
         Soft { exponent: quotient.exponent + self.leading() - other.leading(), ..quotient }
     }
 
-    /// Twice corrected from the root of the leading part, each time by the residual by twice the root.
-    fn root(self) -> Self {
+    /// The real root of this degree; `start` gives that of an `f64`. Twice corrected from the root of the leading part, each
+    /// time by the residual by the slope of the power.
+    pub(crate) fn root(self, degree: u32, start: fn(f64) -> f64) -> Self {
         match self.kind {
             Kind::Normal if !self.negative => {}
+            Kind::Normal if degree % 2 == 1 => return self.negated().root(degree, start).negated(),
             Kind::Zero => return Self::ZERO,
             _ => return Self::NAN,
         }
-        let half = self.leading().div_euclid(2);
-        let radicand = Soft { exponent: self.exponent - 2 * half, ..self };
-        let first = float::sqrt(radicand.to_f64());
+        let part = self.leading().div_euclid(degree.into());
+        let radicand = Soft { exponent: self.exponent - i64::from(degree) * part, ..self };
+        let first = start(radicand.to_f64());
+        let slope = (1..degree).fold(degree.into(), |slope: f64, _| slope * first);
         let mut root = Self::from_f64(first);
         for _ in 0..2 {
-            let residual = radicand.plus(root.times(root).negated());
-            root = root.plus(Self::from_f64(residual.to_f64() / (2.0 * first)));
+            let power = (1..degree).fold(root, |power, _| power.times(root));
+            let residual = radicand.plus(power.negated());
+            root = root.plus(Self::from_f64(residual.to_f64() / slope));
         }
-        Soft { exponent: root.exponent + half, ..root }
+        Soft { exponent: root.exponent + part, ..root }
+    }
+
+    pub(crate) fn magnitude(self) -> Self {
+        Soft { negative: false, ..self }
     }
 
     /// The same bits, as a number from 1 to 2.
     fn scaled(self) -> Self {
         Soft { exponent: -127, ..self }
-    }
-
-    /// Rounded to 53 bits; `None` unless it is a number.
-    fn operand(self) -> Option<Operand> {
-        let operand = Operand::of(self.scaled().to_f64())?;
-        Some(Operand { exponent: operand.exponent + self.leading(), ..operand })
     }
 
     fn negated(self) -> Self {
@@ -235,110 +235,6 @@ impl PartialOrd for Soft {
             _ => other.order_of_magnitudes(*self),
         };
         Some(self.sign().cmp(&other.sign()).then(magnitudes))
-    }
-}
-
-impl Real for Soft {
-    type Wide = Soft;
-
-    fn literal(&self, value: f64) -> Self {
-        Soft::from_f64(value)
-    }
-
-    fn pi(&self) -> Self {
-        // the first 128 bits
-        Soft::new(false, 0xc90f_daa2_2168_c234_c4c6_628b_80dc_1cd1, -126, true)
-    }
-
-    fn nan(&self) -> Self {
-        Soft::NAN
-    }
-
-    fn add(&self, other: &Self) -> Self {
-        self.plus(*other)
-    }
-
-    fn sub(&self, other: &Self) -> Self {
-        self.plus(other.negated())
-    }
-
-    fn mul(&self, other: &Self) -> Self {
-        self.times(*other)
-    }
-
-    fn div(&self, other: &Self) -> Self {
-        self.over(*other)
-    }
-
-    fn neg(&self) -> Self {
-        self.negated()
-    }
-
-    fn sqrt(&self) -> Self {
-        self.root()
-    }
-
-    fn abs(&self) -> Self {
-        Soft { negative: false, ..*self }
-    }
-
-    fn is_finite(&self) -> bool {
-        self.kind != Kind::Nan
-    }
-
-    /// To the digits of `f64`: the iterate, which a `residual!` corrects.
-    fn positive_root(&self, coefficients: &[Self]) -> Self {
-        if coefficients.iter().any(|c| c.kind == Kind::Nan) {
-            return Soft::NAN;
-        }
-        let term =
-            |c: &Self| (c.kind == Kind::Normal).then(|| root::Term { negative: c.negative, exponent: c.leading() });
-        let moved = |c: &Self, by: i64| Soft { exponent: c.exponent.saturating_add(by), ..*c }.to_f64();
-        match root::scaled_root(coefficients, term, moved) {
-            Some((root, bound)) => {
-                let root = Soft::from_f64(root);
-                Soft { exponent: root.exponent + bound, ..root }
-            }
-            None => Soft::NAN,
-        }
-    }
-
-    fn two_sum(&self, other: &Self) -> Self {
-        self.plus(*other)
-    }
-
-    fn two_product(&self, other: &Self) -> Self {
-        self.times(*other)
-    }
-
-    fn wide_neg(wide: &Self) -> Self {
-        wide.negated()
-    }
-
-    fn wide_add_exact(wide: &Self, exact: &Self) -> Self {
-        wide.plus(*exact)
-    }
-
-    fn wide_add(left: &Self, right: &Self) -> Self {
-        left.plus(*right)
-    }
-
-    fn wide_mul_exact(wide: &Self, exact: &Self) -> Self {
-        wide.times(*exact)
-    }
-
-    fn wide_mul(left: &Self, right: &Self) -> Self {
-        left.times(*right)
-    }
-
-    /// Exact, but for the bits that are cut off; of operands the first 53 bits count, as in `f64`, with any exponent. Where
-    /// terms lie too far apart to be summed exactly, right to 2^-120 of the largest.
-    fn compensated(wide: &Self, _: f64, operands: &[&Self], terms: Terms) -> Self {
-        exact::polynomial(operands, |operand| operand.operand(), terms).unwrap_or(*wide)
-    }
-
-    fn residual(wide: &Self) -> Self {
-        *wide
     }
 }
 

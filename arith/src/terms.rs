@@ -45,8 +45,8 @@ impl<'a> Iterator for Terms<'a> {
 
 #[cfg(all(test, feature = "std"))]
 mod tests {
-    use super::*;
     use crate::limits::MAX_FACTORS;
+    use crate::terms::*;
     use std::vec::Vec;
 
     #[test]

@@ -2,7 +2,7 @@
 
 #![cfg(feature = "mpfr")]
 
-use closedform_arith::{Mpfr, Real, positive_root};
+use closedform_arith::{Function, Mpfr, Real, positive_root};
 
 #[test]
 fn a_result_takes_the_larger_precision() {
@@ -11,14 +11,14 @@ fn a_result_takes_the_larger_precision() {
         assert_eq!(result.0.prec(), 200);
     }
     assert_eq!(short.div(&long).mul(&long), short);
-    assert_eq!((short.sqrt().0.prec(), long.pi().0.prec()), (60, 200));
+    assert_eq!((short.call(Function::Sqrt).0.prec(), long.pi().0.prec()), (60, 200));
 }
 
 #[test]
 fn a_root_has_all_its_digits() {
     for precision in [60, 200, 5000] {
         let root = Mpfr::new(precision, 0.0).positive_root(&[-2.0, 0.0, 1.0].map(|c| Mpfr::new(precision, c)));
-        assert_eq!(root, Mpfr::new(precision, 2.0).sqrt());
+        assert_eq!(root, Mpfr::new(precision, 2.0).call(Function::Sqrt));
     }
 }
 

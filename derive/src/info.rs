@@ -1,7 +1,7 @@
 //! The constant `INFO`.
 
 use closedform_syntax::{Input, Kernel, Precision, ResultMeta, operations, ordinary};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 use syn::ext::IdentExt;
 
@@ -74,10 +74,9 @@ fn result(result: &ResultMeta) -> TokenStream {
 }
 
 fn operations_literal(kernel: &Kernel) -> TokenStream {
-    let closedform_syntax::Operations { add, mul, div, sqrt, compensated, root, .. } = operations(kernel);
-    quote! {
-        ::closedform::Operations {
-            add: #add, mul: #mul, div: #div, sqrt: #sqrt, compensated: #compensated, root: #root
-        }
-    }
+    let operations = operations(kernel);
+    let (keys, counts): (Vec<Ident>, Vec<u32>) =
+        operations.named().map(|(key, _, count)| (Ident::new(key, Span::call_site()), count)).unzip();
+    let slices = operations.slices;
+    quote!(::closedform::Operations { #(#keys: #counts,)* slices: #slices })
 }

@@ -38,7 +38,7 @@ use syn::ItemFn;
 ///   returns `f64`, or a struct of `f64` declared beside it in a module (not inside a function).
 /// - statements: `require!(condition)` or `require!(condition, "text")` first, on inputs alone; then `let name = e;`;
 ///   last the result: an expression, or a struct literal. Every input must be finite, without saying so.
-/// - expressions: float literals, names, `+ - * /`, unary `-`, `sqrt(e)`, `abs(e)`, `max(e, ..)`, `min(e, ..)`, `PI`,
+/// - expressions: float literals, names, `+ - * /`, unary `-`, `sqrt(e)`, `abs(e)`, `cbrt(e)`, `max(e, ..)`, `min(e, ..)`, `PI`,
 ///   `if condition { e } else { e }`, `compensated!(e)`, `residual!(e)`,
 ///   `positive_root([c0, c1, ..])`.
 /// - `compensated!(e)` takes `+ - *`, unary `-`, literals and names: right to all digits of its operands.

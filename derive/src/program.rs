@@ -2,7 +2,9 @@
 //!
 //! In the emitted code every name is a `&R`. All shapes run this one program, so they cannot disagree.
 
-use closedform_syntax::{BinaryOp, Condition, Expr, Kernel, Let, Operand, Operation, Part, Relation, Slice, Wide};
+use closedform_syntax::{
+    BinaryOp, Condition, Expr, Function, Kernel, Let, Operand, Operation, Part, Relation, Slice, Wide,
+};
 use proc_macro2::{Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::quote;
 
@@ -81,8 +83,7 @@ fn owned(expr: &Expr) -> TokenStream {
             real("pi", &[quote!(#context)])
         }
         Expr::Neg(inner) => real("neg", &[borrowed(inner)]),
-        Expr::Sqrt(inner) => real("sqrt", &[borrowed(inner)]),
-        Expr::Abs(inner) => real("abs", &[borrowed(inner)]),
+        Expr::Call(function, inner) => real("call", &[borrowed(inner), variant(*function)]),
         Expr::Binary { op, left, right } => real(method(*op), &[borrowed(left), borrowed(right)]),
         Expr::Extreme { largest, items } => extreme(*largest, items),
         Expr::If { condition: test, then, otherwise } => {
@@ -122,6 +123,12 @@ fn literal(value: f64) -> TokenStream {
 fn real(method: &str, arguments: &[TokenStream]) -> TokenStream {
     let method = Ident::new(method, Span::call_site());
     quote!(<R as ::closedform::Real>::#method(#(#arguments),*))
+}
+
+/// A function of the table, as a constant.
+fn variant(function: Function) -> TokenStream {
+    let name = Ident::new(&format!("{function:?}"), Span::call_site());
+    quote!(::closedform::Function::#name)
 }
 
 fn method(op: BinaryOp) -> &'static str {

@@ -1,6 +1,6 @@
 //! What is known of a kernel besides its code.
 
-use closedform_arith::Precision;
+use closedform_arith::{Operations, Precision};
 
 /// What is known of a kernel besides its code: where it comes from, what it takes and promises.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,21 +59,4 @@ pub struct ResultInfo {
     pub unit: &'static str,
     /// The error in ulp that it never exceeds, where one is proved.
     pub bound_ulp: Option<f64>,
-}
-
-/// How many operations one evaluation takes, in the precision of the kernel; both branches of an `if` count.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Operations {
-    /// Additions and subtractions.
-    pub add: u32,
-    /// Multiplications.
-    pub mul: u32,
-    /// Divisions.
-    pub div: u32,
-    /// Square roots.
-    pub sqrt: u32,
-    /// Additions and multiplications in double-double.
-    pub compensated: u32,
-    /// Roots of polynomials, found by iteration.
-    pub root: u32,
 }

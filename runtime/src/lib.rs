@@ -55,10 +55,10 @@ mod shape;
 #[cfg(feature = "mpfr")]
 pub use closedform_arith::Mpfr;
 pub use closedform_arith::limits::{MAX_DEGREE, MAX_INPUTS};
-pub use closedform_arith::{DoubleDouble, Precision, Real, positive_root};
+pub use closedform_arith::{DoubleDouble, Function, Operations, Precision, Real, positive_root};
 pub use closedform_derive::kernel;
 pub use error::{CallError, DomainError, LengthError, RangeError, RangeReason, ValueError};
-pub use info::{Info, Input, Operations, ResultInfo};
+pub use info::{Info, Input, ResultInfo};
 pub use kernel::{Kernel, Program};
 
 /// What expansions of `#[kernel]` call; not for people.

@@ -40,7 +40,7 @@ pub fn parse(function: &ItemFn, returns: Option<Returns>, scope: &mut Scope, err
             }
             Stmt::Local(step) => lets.push(binding(step, scope, errors)),
             Stmt::Macro(step) => errors.push(&step.mac, error::MACRO),
-            Stmt::Expr(step, _) if is_control_flow(step) => errors.push(step, refusal(step)),
+            Stmt::Expr(step, _) if is_control_flow(step) => errors.push(step, &refusal(step)),
             step => errors.push(step, error::STATEMENT),
         }
     }

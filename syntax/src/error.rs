@@ -1,5 +1,6 @@
 //! The catalogue of messages, and the collector that lets one run report them all.
 
+use closedform_arith::Function;
 use quote::ToTokens;
 use syn::Result;
 
@@ -71,13 +72,9 @@ pub const SUFFIX: &str = "write float literals without a suffix";
 pub const HUGE: &str = "this literal is beyond the range of f64";
 pub const LITERAL: &str = "only float literals are part of the kernel language";
 pub const OPERATOR: &str = "not an operator of the kernel language: use + - * / and unary -";
-pub const CALL: &str = "unknown function: kernels know sqrt(e), abs(e), max(e, ..), min(e, ..), compensated!(e), \
-                         residual!(e) and positive_root([..])";
 pub const BANG: &str = "this is a macro: write an exclamation mark before the parenthesis";
 pub const ONE_ARGUMENT: &str = "this function takes one argument";
 pub const TWO_ARGUMENTS: &str = "this function takes two arguments or more";
-pub const METHOD: &str =
-    "methods are not part of the kernel language: write sqrt(e), abs(e), max(e, e), or plain + - * /";
 pub const POWER: &str = "powers are not part of the kernel language: write the product out, as in x * x, or sqrt(x)";
 pub const CAST: &str = "everything is f64: remove the cast";
 pub const REFERENCE: &str = "values are plain f64: remove the reference";
@@ -96,6 +93,24 @@ pub const COMPENSATED_SIZE: &str = "this slice is too large: multiplied out, it 
 pub const ROOT: &str = "write positive_root([c0, c1, ..]) with 2 to 33 coefficients, lowest power first";
 
 pub const UNREADABLE: &str = "this function cannot be read as a kernel";
+
+/// Of a call of a function that is not there.
+pub fn unknown_call() -> String {
+    format!(
+        "unknown function: kernels know {}, max(e, ..), min(e, ..), compensated!(e), residual!(e) and positive_root([..])",
+        calls()
+    )
+}
+
+/// Of a method.
+pub fn method() -> String {
+    format!("methods are not part of the kernel language: write {}, max(e, e), or plain + - * /", calls())
+}
+
+/// The functions of the table, as they are called.
+fn calls() -> String {
+    Function::ALL.map(|function| format!("{}(e)", function.name())).join(", ")
+}
 
 /// Errors found so far.
 #[derive(Default)]

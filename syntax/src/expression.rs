@@ -1,5 +1,8 @@
 //! Expressions: from Rust's to ours, refusing everything else by a message of its own.
 
+use std::borrow::Cow;
+
+use closedform_arith::Function;
 use closedform_arith::limits::MAX_DEGREE;
 use syn::{
     BinOp, Block, Expr, ExprCall, ExprIf, ExprLit, ExprMacro, ExprMethodCall, ExprPath, ExprUnary, Lit, LitFloat, Stmt,
@@ -37,7 +40,7 @@ impl<'r> Reader<'r> {
     }
 
     fn refuse<T>(&mut self, expr: &Expr) -> Option<T> {
-        self.errors.push(expr, refusal(expr));
+        self.errors.push(expr, &refusal(expr));
         None
     }
 
@@ -90,14 +93,15 @@ impl<'r> Reader<'r> {
             Expr::Path(path) => path.path.get_ident().map(ToString::to_string),
             _ => None,
         };
+        if let Some(function) = name.as_deref().and_then(Function::named) {
+            return self.argument(call).map(|operand| kernel::Expr::Call(function, operand.into()));
+        }
         match name.as_deref() {
-            Some("sqrt") => self.argument(call).map(|operand| kernel::Expr::Sqrt(operand.into())),
-            Some("abs") => self.argument(call).map(|operand| kernel::Expr::Abs(operand.into())),
             Some("max") => self.extreme(call, true),
             Some("min") => self.extreme(call, false),
             Some("positive_root") => self.root(call),
             Some("require" | "compensated" | "residual") => self.refuse_with(&call.func, error::BANG),
-            _ => self.refuse_with(&call.func, error::CALL),
+            _ => self.refuse_with(&call.func, &error::unknown_call()),
         }
     }
 
@@ -207,26 +211,25 @@ fn operator(op: &BinOp) -> Option<BinaryOp> {
 }
 
 /// What is wrong with an expression that is not part of the kernel language.
-pub fn refusal(expr: &Expr) -> &'static str {
-    match expr {
+pub fn refusal(expr: &Expr) -> Cow<'static, str> {
+    let message = match expr {
         Expr::Binary(binary) => match binary.op {
             BinOp::And(_) | BinOp::Or(_) | BinOp::Eq(_) | BinOp::Ne(_) => error::CONDITION_AS_VALUE,
             BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) => error::CONDITION_AS_VALUE,
             _ => error::OPERATOR,
         },
-        Expr::MethodCall(call) => method(call),
+        Expr::MethodCall(call) if is_power(call) => error::POWER,
+        Expr::MethodCall(_) => return error::method().into(),
         Expr::Cast(_) => error::CAST,
         Expr::Reference(_) | Expr::RawAddr(_) => error::REFERENCE,
         Expr::ForLoop(_) | Expr::While(_) | Expr::Loop(_) | Expr::Break(_) | Expr::Continue(_) => error::LOOP,
         Expr::Match(_) => error::MATCH,
         Expr::Return(_) => error::RETURN,
         _ => error::EXPRESSION,
-    }
+    };
+    message.into()
 }
 
-fn method(call: &ExprMethodCall) -> &'static str {
-    match call.method.to_string().as_str() {
-        "powi" | "powf" | "pow" => error::POWER,
-        _ => error::METHOD,
-    }
+fn is_power(call: &ExprMethodCall) -> bool {
+    ["powi", "powf", "pow"].iter().any(|power| call.method == power)
 }

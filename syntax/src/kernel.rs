@@ -1,6 +1,6 @@
 //! A kernel as a tree, checked and with its names resolved.
 
-use closedform_arith::{Precision, Relation};
+use closedform_arith::{Function, Precision, Relation};
 use proc_macro2::{Ident, Span};
 use std::fmt;
 use syn::{Attribute, Visibility};
@@ -165,10 +165,8 @@ pub enum Expr {
         /// The right operand.
         right: Box<Expr>,
     },
-    /// `sqrt(e)`
-    Sqrt(Box<Expr>),
-    /// `abs(e)`
-    Abs(Box<Expr>),
+    /// `function(e)`
+    Call(Function, Box<Expr>),
     /// `max(e, e, ..)` or `min(e, e, ..)`
     Extreme {
         /// Whether it is the largest one.

@@ -31,7 +31,7 @@ mod slice;
 mod unit;
 mod walk;
 
-pub use closedform_arith::{Precision, Relation};
+pub use closedform_arith::{Function, Operations, Precision, Relation};
 
 pub use certificate::{RULES, certificate, certified};
 pub use file::{Source, parse_file, sources};
@@ -39,7 +39,7 @@ pub use interpret::{Violation, evaluate, violated};
 pub use kernel::{BinaryOp, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Require, ResultMeta, Slice};
 pub use limits::check as check_limits;
 pub use magnitude::ordinary;
-pub use operations::{Operations, operations, operations_of};
+pub use operations::{operations, operations_of};
 pub use print::{condition_text, expression_text};
 pub use slice::{Operand, Operation, Part, Wide};
 pub use unit::{BASES, Dimension, UnitError};

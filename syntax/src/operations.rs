@@ -2,38 +2,21 @@
 
 use std::collections::BTreeSet;
 
-use crate::kernel::{BinaryOp, Expr, Kernel};
+use closedform_arith::Operations;
 
-/// How many operations one evaluation takes; signs, magnitudes, comparisons and choices are free.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Operations {
-    /// Additions and subtractions.
-    pub add: u32,
-    /// Multiplications.
-    pub mul: u32,
-    /// Divisions.
-    pub div: u32,
-    /// Square roots.
-    pub sqrt: u32,
-    /// Additions and multiplications in double-double, inside `compensated!` and `residual!`.
-    pub compensated: u32,
-    /// Slices, each rounded once at its end.
-    pub slices: u32,
-    /// Roots of polynomials, found by iteration.
-    pub root: u32,
-}
+use crate::kernel::{BinaryOp, Expr, Kernel};
 
 /// Counts the operations of steps and results; both branches of an `if` count, `require!` does not.
 pub fn operations(kernel: &Kernel) -> Operations {
-    let mut count = Operations::default();
+    let mut count = Counter::default();
     let steps = kernel.lets.iter().map(|step| &step.value);
     steps.chain(kernel.output.values()).for_each(|value| count.expression(value));
-    count
+    count.0
 }
 
 /// Counts the operations of one result, by position, and of the steps that it needs.
 pub fn operations_of(kernel: &Kernel, result: usize) -> Operations {
-    let mut count = Operations::default();
+    let mut count = Counter::default();
     let mut needed = BTreeSet::new();
     let mut take = |value: &Expr, needed: &mut BTreeSet<usize>| {
         count.expression(value);
@@ -49,48 +32,37 @@ pub fn operations_of(kernel: &Kernel, result: usize) -> Operations {
             take(&step.value, &mut needed);
         }
     }
-    count
+    count.0
 }
 
-impl Operations {
+/// Counts operations.
+#[derive(Default)]
+struct Counter(Operations);
+
+impl Counter {
     fn expression(&mut self, expr: &Expr) {
         match expr {
-            Expr::Literal { .. } | Expr::Name(_) | Expr::Pi(_) => {}
-            Expr::Neg(inner) | Expr::Abs(inner) => self.expression(inner),
-            Expr::Sqrt(inner) => {
-                self.sqrt += 1;
-                self.expression(inner);
-            }
-            Expr::Binary { op, left, right } => {
-                *self.operator(*op) += 1;
-                self.expression(left);
-                self.expression(right);
-            }
-            Expr::Extreme { items, .. } => items.iter().for_each(|item| self.expression(item)),
-            Expr::If { condition, then, otherwise } => {
-                condition.sides().into_iter().for_each(|side| self.expression(side));
-                self.expression(then);
-                self.expression(otherwise);
-            }
-            Expr::Compensated(slice) => self.slice(&slice.value),
-            Expr::Residual(slice) => self.slice(slice),
-            Expr::PositiveRoot(coefficients) => {
-                self.root += 1;
-                coefficients.iter().for_each(|coefficient| self.expression(coefficient));
-            }
+            Expr::Compensated(slice) => return self.slice(&slice.value),
+            Expr::Residual(slice) => return self.slice(slice),
+            Expr::Binary { op, .. } => *self.operator(*op) += 1,
+            Expr::Call(function, _) => self.0.count(*function),
+            Expr::PositiveRoot(_) => self.0.root += 1,
+            Expr::Literal { .. } | Expr::Name(_) | Expr::Pi(_) | Expr::Neg(_) => {}
+            Expr::Extreme { .. } | Expr::If { .. } => {}
         }
+        expr.children().into_iter().for_each(|child| self.expression(child));
     }
 
     fn slice(&mut self, value: &Expr) {
-        self.slices += 1;
-        self.compensated += slice_operations(value);
+        self.0.slices += 1;
+        self.0.compensated += slice_operations(value);
     }
 
     fn operator(&mut self, op: BinaryOp) -> &mut u32 {
         match op {
-            BinaryOp::Add | BinaryOp::Sub => &mut self.add,
-            BinaryOp::Mul => &mut self.mul,
-            BinaryOp::Div => &mut self.div,
+            BinaryOp::Add | BinaryOp::Sub => &mut self.0.add,
+            BinaryOp::Mul => &mut self.0.mul,
+            BinaryOp::Div => &mut self.0.div,
         }
     }
 }

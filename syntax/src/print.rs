@@ -36,8 +36,7 @@ fn text(expr: &Expr, outer: u8) -> String {
         Expr::Literal { value, .. } => return format!("{value:?}"),
         Expr::Name(name) => return name.ident.to_string(),
         Expr::Pi(_) => return "PI".to_owned(),
-        Expr::Sqrt(inner) => return format!("sqrt({})", text(inner, 0)),
-        Expr::Abs(inner) => return format!("abs({})", text(inner, 0)),
+        Expr::Call(function, inner) => return format!("{}({})", function.name(), text(inner, 0)),
         Expr::Compensated(slice) => return format!("compensated!({})", text(&slice.value, 0)),
         Expr::Residual(inner) => return format!("residual!({})", text(inner, 0)),
         Expr::Extreme { largest, items } => {

@@ -2,12 +2,14 @@
 
 use std::collections::HashSet;
 
+use closedform_arith::Function;
 use proc_macro2::Ident;
 
 use crate::error::{self, Errors};
 use crate::kernel::{Expr, Name};
 
-const RESERVED: [&str; 9] = ["sqrt", "abs", "max", "min", "positive_root", "compensated", "residual", "require", "f64"];
+/// What the language means by itself, besides the functions of the table.
+const RESERVED: [&str; 7] = ["max", "min", "positive_root", "compensated", "residual", "require", "f64"];
 
 /// Inputs followed by steps, in order.
 #[derive(Default)]
@@ -23,7 +25,7 @@ impl Scope {
         let text = ident.to_string();
         if !text.starts_with(|first: char| first.is_lowercase() || first == '_') || text == "_" {
             errors.push(ident, error::NAME_CASE);
-        } else if RESERVED.contains(&text.as_str()) {
+        } else if RESERVED.contains(&text.as_str()) || Function::named(&text).is_some() {
             errors.push(ident, error::NAME_RESERVED);
         } else if self.names.contains(ident) {
             errors.push(ident, error::NAME_TAKEN);

@@ -1,6 +1,6 @@
 //! The walk over a kernel's trees: what stands inside what, said once for every question asked of all of it.
 
-use crate::kernel::{Condition, Expr, Kernel};
+use crate::kernel::{Condition, Expr, Kernel, Slice};
 
 impl Expr {
     /// The expressions directly inside, in order; of an `if` those that its condition compares come first, and of a slice
@@ -8,7 +8,7 @@ impl Expr {
     pub fn children(&self) -> Vec<&Expr> {
         match self {
             Expr::Literal { .. } | Expr::Name(_) | Expr::Pi(_) => Vec::new(),
-            Expr::Neg(inner) | Expr::Sqrt(inner) | Expr::Abs(inner) | Expr::Residual(inner) => vec![inner],
+            Expr::Neg(inner) | Expr::Call(_, inner) | Expr::Residual(inner) => vec![inner],
             Expr::Compensated(slice) => vec![&slice.value],
             Expr::Binary { left, right, .. } => vec![left, right],
             Expr::If { condition, then, otherwise } => {
@@ -16,6 +16,26 @@ impl Expr {
             }
             Expr::Extreme { items, .. } | Expr::PositiveRoot(items) => items.iter().collect(),
         }
+    }
+
+    /// The same expression of other [children](Self::children), as many as it has; `None` where a slice of them is too large.
+    pub fn with_children(&self, children: Vec<Expr>) -> Option<Expr> {
+        let mut children = children.into_iter();
+        let mut next = || children.next().map(Box::new);
+        Some(match self {
+            Expr::Literal { .. } | Expr::Name(_) | Expr::Pi(_) => self.clone(),
+            Expr::Neg(_) => Expr::Neg(next()?),
+            Expr::Call(function, _) => Expr::Call(*function, next()?),
+            Expr::Residual(_) => Expr::Residual(next()?),
+            Expr::Compensated(_) => Expr::Compensated(Slice::new(*next()?).ok()?),
+            Expr::Binary { op, .. } => Expr::Binary { op: *op, left: next()?, right: next()? },
+            Expr::If { condition, .. } => {
+                let condition = condition.with_sides(&mut || next().map(|side| *side))?.into();
+                Expr::If { condition, then: next()?, otherwise: next()? }
+            }
+            Expr::Extreme { largest, .. } => Expr::Extreme { largest: *largest, items: children.collect() },
+            Expr::PositiveRoot(_) => Expr::PositiveRoot(children.collect()),
+        })
     }
 
     /// Calls `see` with the expression and then with all inside it.
@@ -56,6 +76,17 @@ impl Condition {
         }
     }
 
+    /// The same condition of other sides, in order.
+    pub(crate) fn with_sides(&self, next: &mut dyn FnMut() -> Option<Expr>) -> Option<Condition> {
+        let mut boxed = |inner: &Condition| inner.with_sides(next).map(Box::new);
+        Some(match self {
+            Condition::And(left, right) => Condition::And(boxed(left)?, boxed(right)?),
+            Condition::Or(left, right) => Condition::Or(boxed(left)?, boxed(right)?),
+            Condition::Not(inner) => Condition::Not(boxed(inner)?),
+            Condition::Compare { op, .. } => Condition::Compare { op: *op, left: next()?, right: next()? },
+        })
+    }
+
     /// Calls `see` with every expression in it.
     pub fn visit<'e>(&'e self, see: &mut dyn FnMut(&'e Expr)) {
         self.sides().into_iter().for_each(|side| side.visit(see));
@@ -73,6 +104,7 @@ impl Kernel {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::print::expression_text;
 
     /// A kernel in which every kind of expression holds a number of its own, wherever one can stand.
     const EVERYWHERE: &str = "#[kernel]
@@ -93,5 +125,24 @@ mod tests {
             }
         });
         assert_eq!(numbers, (1..=15).map(f64::from).collect::<Vec<_>>());
+    }
+
+    /// The expression with this added to every number.
+    fn raised(expr: &Expr, by: f64) -> Expr {
+        match expr {
+            Expr::Literal { value, span } => Expr::Literal { value: value + by, span: *span },
+            _ => expr.with_children(expr.children().into_iter().map(|child| raised(child, by)).collect()).unwrap(),
+        }
+    }
+
+    #[test]
+    fn other_children_stand_where_theirs_stood() {
+        let kernel = crate::parse_file(EVERYWHERE).unwrap().remove(0);
+        for value in kernel.lets.iter().map(|step| &step.value).chain(kernel.output.values()) {
+            let text = expression_text(value);
+            let other = raised(value, 100.0);
+            assert_ne!(expression_text(&other), text);
+            assert_eq!(expression_text(&raised(&other, -100.0)), text);
+        }
     }
 }

@@ -7,6 +7,7 @@
 
 mod limbs;
 mod radius;
+mod real;
 mod root;
 mod separation;
 #[cfg(all(test, feature = "std"))]
@@ -17,8 +18,6 @@ use core::cmp::Ordering;
 
 use crate::error_model::CERTIFIED_RADIUS;
 use crate::float;
-use crate::real::Real;
-use crate::terms::Terms;
 use limbs::{Cut, Limbs};
 use radius::Radius;
 use separation::Separation;
@@ -203,18 +202,9 @@ impl<'a, const L: usize> Ball<'a, L> {
         self.of(self.middle.over(other.middle), radius, self.joined(other, Separation::over))
     }
 
-    fn square_root(&self) -> Self {
-        let number = self.settling.next();
-        match (self.kind, self.sign()) {
-            (Kind::Number, Some(Ordering::Greater)) => {}
-            (Kind::Number, Some(Ordering::Equal)) => return self.clone(),
-            (Kind::Number, Some(Ordering::Less)) | (Kind::Nothing, _) => {
-                return Self::without_value(Kind::Nothing, self.settling);
-            }
-            _ => return Self::without_value(Kind::Unknown, self.settling),
-        }
-        let (root, radius) = root::square_root(self.middle, self.radius);
-        self.of((root, None), radius, self.separation.and_then(|separation| separation.root(number)))
+    /// The magnitude of the middle is no farther from that of the value than the middle is from the value.
+    pub(crate) fn magnitude(&self) -> Self {
+        Ball { middle: self.middle.magnitude(), number: self.settling.next(), ..self.clone() }
     }
 }
 
@@ -236,94 +226,5 @@ impl<const L: usize> PartialOrd for Ball<'_, L> {
         let sign = difference.sign();
         self.settling.unsettled.set(self.settling.unsettled.get() | sign.is_none());
         sign
-    }
-}
-
-impl<const L: usize> Real for Ball<'_, L> {
-    type Wide = Self;
-
-    fn literal(&self, value: f64) -> Self {
-        Ball::new(value, self.settling)
-    }
-
-    fn pi(&self) -> Self {
-        self.of(Limbs::from_fraction(2, &root::PI), Radius::ZERO, None)
-    }
-
-    fn nan(&self) -> Self {
-        Self::without_value(Kind::Nothing, self.settling)
-    }
-
-    fn add(&self, other: &Self) -> Self {
-        self.plus(other)
-    }
-
-    fn sub(&self, other: &Self) -> Self {
-        self.plus(&other.negated())
-    }
-
-    fn mul(&self, other: &Self) -> Self {
-        self.times(other)
-    }
-
-    fn div(&self, other: &Self) -> Self {
-        self.over(other)
-    }
-
-    fn neg(&self) -> Self {
-        self.negated()
-    }
-
-    fn sqrt(&self) -> Self {
-        self.square_root()
-    }
-
-    /// The magnitude of the middle is no farther from that of the value than the middle is from the value.
-    fn abs(&self) -> Self {
-        Ball { middle: self.middle.magnitude(), number: self.settling.next(), ..self.clone() }
-    }
-
-    fn is_finite(&self) -> bool {
-        self.kind != Kind::Nothing
-    }
-
-    fn positive_root(&self, coefficients: &[Self]) -> Self {
-        root::positive_root(self, coefficients)
-    }
-
-    fn two_sum(&self, other: &Self) -> Self {
-        self.plus(other)
-    }
-
-    fn two_product(&self, other: &Self) -> Self {
-        self.times(other)
-    }
-
-    fn wide_neg(wide: &Self) -> Self {
-        wide.negated()
-    }
-
-    fn wide_add_exact(wide: &Self, exact: &Self) -> Self {
-        wide.plus(exact)
-    }
-
-    fn wide_add(left: &Self, right: &Self) -> Self {
-        left.plus(right)
-    }
-
-    fn wide_mul_exact(wide: &Self, exact: &Self) -> Self {
-        wide.times(exact)
-    }
-
-    fn wide_mul(left: &Self, right: &Self) -> Self {
-        left.times(right)
-    }
-
-    fn compensated(wide: &Self, _: f64, _: &[&Self], _: Terms) -> Self {
-        wide.clone()
-    }
-
-    fn residual(wide: &Self) -> Self {
-        wide.clone()
     }
 }

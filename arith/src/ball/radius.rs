@@ -68,6 +68,17 @@ impl Radius {
         Self::new(self.value / value * UP, self.exponent.saturating_sub(exponent))
     }
 
+    /// At least the root of this degree.
+    pub(super) fn root(self, degree: u32) -> Self {
+        let degree = i64::from(degree);
+        // what is less than 2^(exponent + 1) has a root less than 2 to the part of that, rounded up
+        if self.is_zero() {
+            self
+        } else {
+            Self::power_of_two((self.exponent.saturating_add(degree)).div_euclid(degree))
+        }
+    }
+
     /// Whether it is less than `value * 2^exponent`, a value from 1/2 to 1 that may be rounded to nearest.
     pub(super) fn is_less_than(self, value: f64, exponent: i64) -> bool {
         if self.is_zero() {

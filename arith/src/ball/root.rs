@@ -4,8 +4,8 @@ use core::cmp::Ordering;
 
 use super::limbs::Limbs;
 use super::radius::Radius;
+use super::separation::Root;
 use super::{Ball, Kind};
-use crate::float;
 use crate::root::{Term, scaled_root};
 
 /// A quarter of the circle constant: 4,160 bits, from the most to the least.
@@ -35,34 +35,62 @@ fn steps(words: usize) -> u32 {
     (64 * words / 40).max(1).ilog2() + 2
 }
 
-/// The square root of a number, positive and farther from zero than its error, and the error of that root.
+impl<const L: usize> Ball<'_, L> {
+    /// The real root of this degree; `start` gives that of an `f64`.
+    pub(crate) fn root(&self, degree: u32, start: fn(f64) -> f64) -> Self {
+        let number = self.settling.next();
+        let separation = || self.separation.and_then(|separation| separation.root(Root { number, degree }));
+        let without = |kind| Self::without_value(kind, self.settling);
+        let odd = degree % 2 == 1;
+        match (self.kind, self.sign()) {
+            (Kind::Number, Some(Ordering::Greater)) => {
+                let (root, radius) = positive(self.middle, self.radius, degree, start);
+                self.of((root, None), radius, separation())
+            }
+            (Kind::Number, Some(Ordering::Equal)) => self.clone(),
+            (Kind::Number, Some(Ordering::Less)) if odd => self.negated().root(degree, start).negated(),
+            // it increases: all of it lies between the roots of the largest magnitude and of its negative
+            (Kind::Number, None) if odd => self.of((Limbs::ZERO, None), self.size().root(degree), separation()),
+            (Kind::Number, Some(Ordering::Less)) | (Kind::Nothing, _) => without(Kind::Nothing),
+            _ => without(Kind::Unknown),
+        }
+    }
+}
+
+/// The root of a number, positive and farther from zero than its error, and the error of that root.
 ///
-/// With s the root, `|x - s| = |f - x^2|/(x + s) <= |f - x^2|/x`; and the root of what is e away is at most e/s away.
-pub(super) fn square_root<const L: usize>(middle: Limbs<L>, error: Radius) -> (Limbs<L>, Radius) {
-    let half = middle.exponent().div_euclid(2);
-    let radicand = middle.scaled(-2 * half);
-    let mut root = Limbs::from_f64(float::sqrt(radicand.to_f64()));
+/// With s the root of f, of degree d, and x a positive number, `|x - s| = |f - x^d|/(x^(d-1) + x^(d-2) s + .. + s^(d-1))`,
+/// which is at most `|f - x^d|/x^(d-1)`; and the root of what is e away from f is at most e/s^(d-1) away from s.
+fn positive<const L: usize>(middle: Limbs<L>, error: Radius, degree: u32, start: fn(f64) -> f64) -> (Limbs<L>, Radius) {
+    let part = middle.exponent().div_euclid(degree.into());
+    let radicand = middle.scaled(-i64::from(degree) * part);
+    let mut root = Limbs::from_f64(start(radicand.to_f64()));
     for _ in 0..steps(L) {
-        let (left, _) = residual(radicand, root);
+        let (left, _) = residual(radicand, root, degree);
         if left.is_zero() {
             break;
         }
-        let (correction, _) = left.over(root.scaled(1));
-        (root, _) = root.plus(correction);
+        let slope = (1..degree).fold(Limbs::from_integer(false, degree.into(), 0), |slope, _| slope.times(root).0);
+        (root, _) = root.plus(left.over(slope).0);
     }
-    let (left, cut) = residual(radicand, root);
-    let (value, exponent) = (root.leading(), root.exponent());
-    let off = Radius::new(left.leading(), left.exponent()).plus(cut).over(value, exponent);
-    let off = off.times(Radius::power_of_two(half));
-    (root.scaled(half), off.plus(error.over(value, exponent + half)))
+    let (left, cut) = residual(radicand, root, degree);
+    let by_slope = |error: Radius| (1..degree).fold(error, |error, _| error.over(root.leading(), root.exponent()));
+    let off = by_slope(Radius::new(left.leading(), left.exponent()).plus(cut));
+    let scale = Radius::power_of_two;
+    let carried = by_slope(error.times(scale(-i64::from(degree) * part)));
+    (root.scaled(part), off.plus(carried).times(scale(part)))
 }
 
-/// `radicand - root^2`, and what was cut off of it.
-fn residual<const L: usize>(radicand: Limbs<L>, root: Limbs<L>) -> (Limbs<L>, Radius) {
-    let (square, first) = root.times(root);
-    let (left, second) = radicand.plus(square.negated());
-    let cut = |cut: Option<i64>| cut.map_or(Radius::ZERO, Radius::power_of_two);
-    (left, cut(first).plus(cut(second)))
+/// `radicand - root^degree`, and what was cut off of it.
+fn residual<const L: usize>(radicand: Limbs<L>, root: Limbs<L>, degree: u32) -> (Limbs<L>, Radius) {
+    let size = Radius::new(root.leading(), root.exponent());
+    let lost = |cut: Option<i64>| cut.map_or(Radius::ZERO, Radius::power_of_two);
+    let (power, cut) = (1..degree).fold((root, Radius::ZERO), |(power, cut), _| {
+        let (product, more) = power.times(root);
+        (product, cut.times(size).plus(lost(more)))
+    });
+    let (left, more) = radicand.plus(power.negated());
+    (left, cut.plus(lost(more)))
 }
 
 /// The one positive root of c0 + c1 x + .. + cn x^n; see [`positive_root`](crate::positive_root()).

@@ -1,13 +1,13 @@
 //! How small a value can be that is not zero: the separation bound that decides about exact zeros.
 //!
-//! A value made from dyadic numbers by `+ - * /` and square roots is 2^k U/L with algebraic integers U, L whose conjugates
+//! A value made from dyadic numbers by `+ - * /` and real roots is 2^k U/L with algebraic integers U, L whose conjugates
 //! are bounded. If it is not zero, it is at least 2^k/(u^(D-1) l), where u and l bound the conjugates of U and L and D is
-//! 2 to the number of square roots (Burnikel, Funke, Mehlhorn, Schirra, Schmitt: A separation bound for real algebraic
+//! the product of the degrees of the roots (Burnikel, Funke, Mehlhorn, Schirra, Schmitt: A separation bound for real algebraic
 //! expressions, Algorithmica 55, 2009; with powers of two taken out as by Pion and Yap: Constructive root bound for k-ary
 //! rational input numbers, SoCG 2003).
 
 /// What is known of the algebraic number that a value is: k, the logarithms of u and l to base 2, rounded up, and the
-/// square roots that made it.
+/// roots that made it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Separation {
     twos: i64,
@@ -16,30 +16,38 @@ pub(super) struct Separation {
     roots: Roots,
 }
 
-/// The most square roots in one value: of more, the bound is far below what the largest floats tell from zero.
+/// The most roots in one value: of more, the bound is far below what the largest floats tell from zero.
 const MOST_ROOTS: usize = 7;
 
-/// A set of square roots, by number; a zero stands for none.
+/// A root in a value: which of the program it is, from 1, and its degree.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Root {
+    pub(super) number: u32,
+    pub(super) degree: u32,
+}
+
+/// A set of roots.
 #[derive(Clone, Copy, Debug)]
-struct Roots([u32; MOST_ROOTS]);
+struct Roots([Option<Root>; MOST_ROOTS]);
 
 impl Roots {
-    const NONE: Self = Roots([0; MOST_ROOTS]);
+    const NONE: Self = Roots([None; MOST_ROOTS]);
 
     /// `None` where there is no room for another one.
-    fn with(mut self, number: u32) -> Option<Self> {
-        if !self.0.contains(&number) {
-            *self.0.iter_mut().find(|root| **root == 0)? = number;
+    fn with(mut self, root: Root) -> Option<Self> {
+        if !self.0.contains(&Some(root)) {
+            *self.0.iter_mut().find(|place| place.is_none())? = Some(root);
         }
         Some(self)
     }
 
     fn joined(self, other: Self) -> Option<Self> {
-        other.0.into_iter().filter(|root| *root != 0).try_fold(self, Self::with)
+        other.0.into_iter().flatten().try_fold(self, Self::with)
     }
 
-    fn count(self) -> u32 {
-        self.0.iter().filter(|root| **root != 0).count() as u32
+    /// The degree of what they generate, at most.
+    fn degree(self) -> i64 {
+        self.0.iter().flatten().map(|root| i64::from(root.degree)).product()
     }
 }
 
@@ -74,22 +82,21 @@ impl Separation {
         Self { twos: self.twos - other.twos, upper, lower, roots: self.roots.joined(other.roots)? }.kept()
     }
 
-    /// Of the square root, which is the one of this number, from 1, in the program.
-    pub(super) fn root(self, number: u32) -> Option<Self> {
-        let odd = self.twos.rem_euclid(2);
-        let inner = self.upper + odd;
-        let (upper, lower) = if inner >= self.lower {
-            ((inner + self.lower + 1).div_euclid(2), self.lower)
-        } else {
-            (inner, (inner + self.lower + 1).div_euclid(2))
-        };
-        Self { twos: (self.twos - odd) / 2, upper, lower, roots: self.roots.with(number)? }.kept()
+    /// Of a root. With d its degree, it is the root of U L^(d-1), by L; or U by the root of U^(d-1) L: either is one of
+    /// algebraic integers.
+    pub(super) fn root(self, root: Root) -> Option<Self> {
+        let degree = i64::from(root.degree);
+        let left = self.twos.rem_euclid(degree);
+        let inner = self.upper + left;
+        let part = |once: i64, others: i64| (once + (degree - 1) * others + degree - 1).div_euclid(degree);
+        let (upper, lower) =
+            if inner >= self.lower { (part(inner, self.lower), self.lower) } else { (inner, part(self.lower, inner)) };
+        Self { twos: (self.twos - left) / degree, upper, lower, roots: self.roots.with(root)? }.kept()
     }
 
     /// The exponent of a power of two below every such value that is not zero.
     pub(super) fn least(self) -> Option<i64> {
-        let degree = 1_i64.checked_shl(self.roots.count())?.checked_sub(1)?;
-        let below = self.upper.checked_mul(degree)?.checked_add(self.lower)?;
+        let below = self.upper.checked_mul(self.roots.degree() - 1)?.checked_add(self.lower)?;
         self.twos.checked_sub(below)
     }
 

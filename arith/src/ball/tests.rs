@@ -12,6 +12,7 @@ use rug::{Float, Integer};
 use super::limbs::Limbs;
 use super::radius::Radius;
 use super::{Ball, Kind, Separation, Settling};
+use crate::function::Function;
 use crate::real::Real;
 
 /// More bits than any sum of two operands has.
@@ -96,22 +97,27 @@ fn operations_hold<const L: usize>(rounds: u32, seed: u64) {
         assert!(holds(&a.plus(&b), &Float::with_val(BITS, &x + &y)), "sum, {round}");
         assert!(holds(&a.plus(&b.negated()), &Float::with_val(BITS, &x - &y)), "difference, {round}");
         assert!(holds(&a.times(&b), &Float::with_val(BITS, &x * &y)), "product, {round}");
-        assert!(holds(&a.abs(), &x.clone().abs()), "magnitude, {round}");
+        assert!(holds(&a.magnitude(), &x.clone().abs()), "magnitude, {round}");
         let quotient = a.over(&b);
         if quotient.kind == Kind::Number {
             quotients += 1;
             assert!(holds(&quotient, &Float::with_val(BITS, &x / &y)), "quotient, {round}");
         }
-        let root = a.square_root();
-        if root.kind == Kind::Number {
-            roots += 1;
-            assert!(holds(&root, &x.clone().sqrt()), "root, {round}");
+        for function in Function::ALL {
+            let value = a.call(function);
+            let mut exact = x.clone();
+            function.mpfr(&mut exact);
+            if value.kind == Kind::Number {
+                roots += 1;
+                assert!(holds(&value, &exact), "{function:?}, {round}");
+            }
+            assert!(value.kind != Kind::Unknown || !function.is_total(), "{function:?}, {round}");
         }
         if let Some(order) = a.partial_cmp(&b) {
             assert_eq!(Some(order), x.partial_cmp(&y), "order, {round}");
         }
     }
-    assert!(quotients > rounds / 3 && roots > rounds / 5, "{quotients} quotients and {roots} roots of {rounds}");
+    assert!(quotients > rounds / 3 && roots > 2 * rounds, "{quotients} quotients and {roots} roots of {rounds}");
 }
 
 #[test]
@@ -133,7 +139,7 @@ fn balls_of_exact_operands_are_small() {
             Ball::<4>::new(value, &settling)
         };
         let (a, b) = (number(&mut random), number(&mut random));
-        for (result, what) in [(a.over(&b), "quotient"), (a.square_root(), "root"), (a.times(&b), "product")] {
+        for (result, what) in [(a.over(&b), "quotient"), (a.call(Function::Sqrt), "root"), (a.times(&b), "product")] {
             let unit = result.middle.exponent() - 64 * 4;
             assert!(result.radius.is_less_than(0.5, unit + 5), "{what}: {:?}", result.radius);
         }
@@ -166,7 +172,7 @@ fn numbers_round_as_the_processor_rounds() {
 
 /// The sum of the roots of the first two numbers less those of the others.
 fn four_roots<'a, const L: usize>(numbers: [f64; 4], settling: &'a Settling) -> Ball<'a, L> {
-    let [a, b, c, d] = numbers.map(|x| Ball::<L>::new(x, settling).square_root());
+    let [a, b, c, d] = numbers.map(|x| Ball::<L>::new(x, settling).call(Function::Sqrt));
     a.plus(&b).plus(&c.negated()).plus(&d.negated())
 }
 
@@ -178,8 +184,8 @@ fn what_is_exactly_zero_is_shown_to_be() {
     }
     // (sqrt(2) + sqrt(3))^2 - 5 - 2 sqrt(6), and 1/3 + 1/3 + 1/3 - 1
     let number = |x| Ball::<16>::new(x, &settling);
-    let sum = number(2.0).square_root().plus(&number(3.0).square_root());
-    let rest = number(5.0).plus(&number(24.0).square_root());
+    let sum = number(2.0).call(Function::Sqrt).plus(&number(3.0).call(Function::Sqrt));
+    let rest = number(5.0).plus(&number(24.0).call(Function::Sqrt));
     assert_eq!(sum.times(&sum).plus(&rest.negated()).accepted(), Some((0.0, true)));
     let third = number(1.0).over(&number(3.0));
     assert_eq!(third.plus(&third).plus(&third).plus(&number(-1.0)).accepted(), Some((0.0, true)));
@@ -191,7 +197,7 @@ fn a_value_is_equal_to_itself() {
     let pi = Ball::<4>::new(1.0, &settling).pi();
     assert_eq!(pi.partial_cmp(&pi.clone()), Some(Ordering::Equal));
     assert_eq!(pi.partial_cmp(&Ball::<4>::new(1.0, &settling).pi()), None, "another value");
-    let nothing = Ball::<4>::new(-1.0, &settling).square_root();
+    let nothing = Ball::<4>::new(-1.0, &settling).call(Function::Sqrt);
     assert_eq!(nothing.partial_cmp(&nothing.clone()), None);
 }
 
@@ -214,12 +220,45 @@ fn what_is_nearly_zero_is_not_taken_for_zero() {
 fn separation_bounds_hold() {
     let settling = Settling::default();
     let one = Ball::<64>::new(1.0, &settling);
-    let small = Ball::<64>::new(2.0, &settling).square_root().plus(&one.negated());
+    let small = Ball::<64>::new(2.0, &settling).call(Function::Sqrt).plus(&one.negated());
     let mut power = one.clone();
     for exponent in 1..200 {
         power = power.times(&small);
         let least = power.separation.and_then(Separation::least).unwrap();
         let exact = (Float::with_val(BITS, 2).sqrt() - 1u32).pow(exponent);
+        assert!(Float::with_val(BITS, exact) >= Float::with_val(BITS, 1) << i32::try_from(least).unwrap());
+    }
+}
+
+/// Of roots of several degrees: (sqrt(2) + cbrt(3))^2 - 2 - cbrt(9) - 2 sqrt(2) cbrt(3) is zero, and with another last
+/// number it is not.
+#[test]
+fn sums_of_roots_of_several_degrees_are_zero_or_not() {
+    let settling = Settling::default();
+    for (last, vanishes) in [(3.0, true), (3.0_f64.next_up(), false)] {
+        let number = |x| Ball::<64>::new(x, &settling);
+        let root = |degree, x| number(x).call(Function::root(degree).unwrap());
+        let (two, three) = (root(2, 2.0), root(3, 3.0));
+        let square = two.plus(&three).times(&two.plus(&three));
+        let doubled = number(2.0).times(&two).times(&root(3, last));
+        let rest = square.plus(&number(-2.0)).plus(&root(3, 9.0).negated()).plus(&doubled.negated());
+        let expected = if vanishes { Ordering::Equal } else { Ordering::Less };
+        assert_eq!(rest.partial_cmp(&number(0.0)), Some(expected));
+    }
+    assert!(!settling.is_unsettled());
+}
+
+/// The same of cube roots: the powers of 2 - cbrt(7) come near zero.
+#[test]
+fn separation_bounds_hold_of_cube_roots() {
+    let settling = Settling::default();
+    let root = Ball::<64>::new(7.0, &settling).call(Function::root(3).unwrap());
+    let small = Ball::new(2.0, &settling).plus(&root.negated());
+    let mut power = Ball::new(1.0, &settling);
+    for exponent in 1..100 {
+        power = power.times(&small);
+        let least = power.separation.and_then(Separation::least).unwrap();
+        let exact = (Float::with_val(BITS, 2) - Float::with_val(BITS, 7).cbrt()).pow(exponent);
         assert!(Float::with_val(BITS, exact) >= Float::with_val(BITS, 1) << i32::try_from(least).unwrap());
     }
 }
@@ -247,12 +286,12 @@ fn separation_bounds_hold_of_many_roots_and_of_quotients() {
 fn what_has_no_value_and_what_is_unknown_are_told_apart() {
     let settling = Settling::default();
     let number = |x| Ball::<4>::new(x, &settling);
-    assert_eq!(number(-1.0).square_root().kind, Kind::Nothing);
+    assert_eq!(number(-1.0).call(Function::Sqrt).kind, Kind::Nothing);
     assert_eq!(number(1.0).over(&number(0.0)).kind, Kind::Nothing);
     // a sum with pi that the circle constant's bits do not tell from zero
     let pi = number(1.0).pi();
     let rest = pi.plus(&pi.negated());
-    assert_eq!((rest.square_root().kind, number(1.0).over(&rest).kind), (Kind::Unknown, Kind::Unknown));
+    assert_eq!((rest.call(Function::Sqrt).kind, number(1.0).over(&rest).kind), (Kind::Unknown, Kind::Unknown));
     assert!(!settling.is_unsettled());
     assert_eq!(rest.partial_cmp(&number(0.0)), None);
     assert!(settling.is_unsettled());

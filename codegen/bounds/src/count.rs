@@ -9,7 +9,7 @@ use crate::refusal::{Reason, Refusal};
 use crate::sign::Sign;
 use crate::text::text;
 use crate::trusted;
-use closedform_syntax::{BinaryOp, Condition, Expr, Kernel, Precision, condition_text};
+use closedform_syntax::{BinaryOp, Condition, Expr, Function, Kernel, Precision, condition_text};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -41,6 +41,15 @@ impl<'k> Counter<'k> {
     pub(crate) fn rounding(&self) -> BigRational {
         match self.kernel.meta.precision {
             Precision::Double => trusted::rounding(),
+            Precision::DoubleDouble | Precision::Certified => trusted::double_double_step(),
+        }
+    }
+
+    /// The count of a function of an exact argument.
+    fn call(&self, function: Function) -> BigRational {
+        match self.kernel.meta.precision {
+            Precision::Double => trusted::call(function),
+            Precision::DoubleDouble | Precision::Certified if function.is_exact() => BigRational::zero(),
             Precision::DoubleDouble | Precision::Certified => trusted::double_double_step(),
         }
     }
@@ -107,11 +116,12 @@ impl<'k> Counter<'k> {
             Expr::Literal { .. } => Ok(BigRational::zero()),
             Expr::Name(name) => self.count_name(name.slot, case),
             Expr::Pi(_) => Ok(self.rounding()),
-            Expr::Neg(inner) | Expr::Abs(inner) => self.count(inner, case, step),
-            Expr::Sqrt(inner) => {
+            Expr::Neg(inner) => self.count(inner, case, step),
+            Expr::Call(function, inner) => {
                 let count = self.count(inner, case, step)?;
-                self.has_root(inner, case, step)?;
-                Ok(count / integer(2) + self.rounding())
+                self.has_value(*function, inner, case, step)?;
+                let (p, q) = function.properties().exponent;
+                Ok(count * integer(p.into()) / integer(q.into()) + self.call(*function))
             }
             Expr::Binary { op: BinaryOp::Add | BinaryOp::Sub, left, right } => {
                 match correction::of(self, expr, case, step) {
@@ -295,8 +305,7 @@ impl<'k> Counter<'k> {
         match meaning {
             Meaning::Input => Sign::ANY,
             Meaning::Pi => Sign::POSITIVE,
-            Meaning::Root(inner) => self.sign_of_form(inner, case).and(Sign::NONNEGATIVE),
-            Meaning::Magnitude(inner) => self.sign_of_form(inner, case).power(2),
+            Meaning::Call(function, inner) => self.sign_of_form(inner, case).called(*function),
             Meaning::Quotient(a, b) => self.sign_of_form(a, case).times(self.sign_of_form(b, case)),
             Meaning::Opaque(Expr::PositiveRoot(_)) => Sign::POSITIVE,
             Meaning::Opaque(Expr::If { condition, then, otherwise }) => {

@@ -6,7 +6,7 @@ use crate::count::Counter;
 use crate::refusal::{Reason, Refusal, Undefined};
 use crate::sign::Sign;
 use crate::text::{is_whole, text};
-use closedform_syntax::{BinaryOp, Condition, Expr, condition_text};
+use closedform_syntax::{BinaryOp, Condition, Expr, Function, condition_text};
 
 impl<'k> Counter<'k> {
     /// That a divisor is not zero.
@@ -14,9 +14,18 @@ impl<'k> Counter<'k> {
         self.has_sign(divisor, Sign::NONZERO, Undefined::Quotient, case, step)
     }
 
-    /// That a radicand is not negative.
-    pub(crate) fn has_root(&self, radicand: &'k Expr, case: &Case, step: &str) -> Result<(), Refusal> {
-        self.has_sign(radicand, Sign::NONNEGATIVE, Undefined::Root, case, step)
+    /// That a function has a value: that the argument of one that has none below zero is not negative.
+    pub(crate) fn has_value(
+        &self,
+        function: Function,
+        argument: &'k Expr,
+        case: &Case,
+        step: &str,
+    ) -> Result<(), Refusal> {
+        if function.is_total() {
+            return Ok(());
+        }
+        self.has_sign(argument, Sign::NONNEGATIVE, Undefined::Root, case, step)
     }
 
     /// That the coefficients of a polynomial change their sign once: at one power, which may itself have any sign.
@@ -104,12 +113,8 @@ impl<'k> Counter<'k> {
     fn is_of_inputs(&self, value: &'k Expr) -> bool {
         match value {
             Expr::Name(name) => self.forms.step(name.slot).is_none(),
-            Expr::Literal { .. } | Expr::Pi(_) => true,
-            Expr::Neg(inner) | Expr::Sqrt(inner) | Expr::Abs(inner) => self.is_of_inputs(inner),
-            Expr::Binary { left, right, .. } => self.is_of_inputs(left) && self.is_of_inputs(right),
-            Expr::Compensated(slice) => self.is_of_inputs(&slice.value),
-            Expr::Extreme { items, .. } => items.iter().all(|item| self.is_of_inputs(item)),
             Expr::Residual(_) | Expr::PositiveRoot(_) | Expr::If { .. } => false,
+            _ => value.children().into_iter().all(|part| self.is_of_inputs(part)),
         }
     }
 }

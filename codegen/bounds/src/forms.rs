@@ -1,7 +1,7 @@
 //! Expressions as polynomials in inputs and in values that are none: roots, quotients, choices.
 
 use crate::polynomial::{Atom, Polynomial};
-use closedform_syntax::{BinaryOp, Expr, Kernel};
+use closedform_syntax::{BinaryOp, Expr, Function, Kernel};
 use num_rational::BigRational;
 use num_traits::Zero;
 use std::cell::RefCell;
@@ -15,12 +15,10 @@ pub enum Meaning<'k> {
     Input,
     /// The circle constant.
     Pi,
-    /// The square root of a polynomial.
-    Root(Polynomial),
+    /// A function of a polynomial.
+    Call(Function, Polynomial),
     /// A quotient of polynomials.
     Quotient(Polynomial, Polynomial),
-    /// A magnitude.
-    Magnitude(Polynomial),
     /// A value that only its expression tells: a choice, a polynomial's root, or more terms than are worth expanding.
     Opaque(&'k Expr),
 }
@@ -72,8 +70,7 @@ impl<'k> Forms<'k> {
             Expr::Neg(inner) => self.of(inner).negated(),
             Expr::Binary { op: BinaryOp::Div, left, right } => self.quotient(&self.of(left), &self.of(right)),
             Expr::Binary { op, left, right } => self.joined(*op, &self.of(left), &self.of(right)),
-            Expr::Sqrt(inner) => self.atom(Meaning::Root((*self.of(inner)).clone())),
-            Expr::Abs(inner) => self.atom(Meaning::Magnitude((*self.of(inner)).clone())),
+            Expr::Call(function, inner) => self.atom(Meaning::Call(*function, (*self.of(inner)).clone())),
             Expr::Compensated(slice) => (*self.of(&slice.value)).clone(),
             Expr::Residual(inner) => (*self.of(inner)).clone(),
             Expr::If { then, otherwise, .. } => self.choice(expr, then, otherwise),
@@ -116,15 +113,16 @@ impl<'k> Forms<'k> {
         if one == other { (*one).clone() } else { self.atom(Meaning::Opaque(expr)) }
     }
 
-    /// Squares of square roots are what stands under them.
+    /// Powers of roots are powers of what stands under them.
     pub fn reduced(&self, polynomial: &Polynomial) -> Polynomial {
-        let root = polynomial.atoms().into_iter().find_map(|atom| match self.meaning(atom) {
-            Meaning::Root(radicand) if polynomial.degree(atom) > 1 => Some((atom, radicand)),
-            _ => None,
+        let root = polynomial.atoms().into_iter().find_map(|atom| {
+            let Meaning::Call(function, radicand) = self.meaning(atom) else { return None };
+            let degree = function.degree().filter(|degree| polynomial.degree(atom) >= *degree)?;
+            Some((atom, degree, radicand))
         });
-        let Some((atom, radicand)) = root else { return polynomial.clone() };
+        let Some((atom, degree, radicand)) = root else { return polynomial.clone() };
         let terms = polynomial.coefficients(atom).into_iter().zip(0..).map(|(coefficient, power)| {
-            coefficient.times(&radicand.power(power / 2)).times(&Polynomial::atom(atom).power(power % 2))
+            coefficient.times(&radicand.power(power / degree)).times(&Polynomial::atom(atom).power(power % degree))
         });
         self.reduced(&terms.fold(Polynomial::default(), |sum, term| sum.plus(&term)))
     }
@@ -143,7 +141,7 @@ impl<'k> Forms<'k> {
 fn same(a: &Meaning, b: &Meaning) -> bool {
     match (a, b) {
         (Meaning::Pi, Meaning::Pi) => true,
-        (Meaning::Root(a), Meaning::Root(b)) | (Meaning::Magnitude(a), Meaning::Magnitude(b)) => a == b,
+        (Meaning::Call(f, a), Meaning::Call(g, b)) => f == g && a == b,
         (Meaning::Quotient(a, b), Meaning::Quotient(c, d)) => a == c && b == d,
         (Meaning::Opaque(a), Meaning::Opaque(b)) => std::ptr::eq(*a, *b),
         _ => false,

@@ -48,7 +48,7 @@ pub fn place(kernel: &Kernel, refusal: &Refusal) -> Place {
     let quoted = refusal.reason.quoted();
     let within = |value| quoted.and_then(|quoted| find(value, quoted));
     if refusal.step == "require!" {
-        let comparisons = kernel.requires.iter().flat_map(|require| comparisons(&require.condition));
+        let comparisons = kernel.requires.iter().flat_map(|require| require.condition.comparisons());
         let found = comparisons.filter_map(|comparison| of_comparison(comparison, quoted)).next();
         return found.unwrap_or_else(|| Place::between(name, name));
     }
@@ -72,7 +72,7 @@ fn find(expr: &Expr, quoted: &str) -> Option<Place> {
     if text(expr) == quoted {
         return ends(expr).map(|(first, last)| Place::between(first, last));
     }
-    parts(expr).into_iter().find_map(|part| find(part, quoted))
+    expr.children().into_iter().find_map(|part| find(part, quoted))
 }
 
 /// The first and the last literal or name.
@@ -81,33 +81,8 @@ fn ends(expr: &Expr) -> Option<(Span, Span)> {
         Expr::Literal { span, .. } | Expr::Pi(span) => Some((*span, *span)),
         Expr::Name(name) => Some((name.ident.span(), name.ident.span())),
         _ => {
-            let parts = parts(expr);
+            let parts = expr.children();
             Some((ends(parts.first()?)?.0, ends(parts.last()?)?.1))
         }
-    }
-}
-
-fn parts(expr: &Expr) -> Vec<&Expr> {
-    match expr {
-        Expr::Literal { .. } | Expr::Pi(_) | Expr::Name(_) => Vec::new(),
-        Expr::Neg(inner) | Expr::Sqrt(inner) | Expr::Abs(inner) | Expr::Residual(inner) => vec![inner],
-        Expr::Compensated(slice) => vec![&slice.value],
-        Expr::Binary { left, right, .. } => vec![left, right],
-        Expr::Extreme { items, .. } | Expr::PositiveRoot(items) => items.iter().collect(),
-        Expr::If { condition, then, otherwise } => {
-            let sides = comparisons(condition).into_iter().flat_map(|comparison| match comparison {
-                Condition::Compare { left, right, .. } => vec![left, right],
-                _ => Vec::new(),
-            });
-            sides.chain([&**then, &**otherwise]).collect()
-        }
-    }
-}
-
-fn comparisons(condition: &Condition) -> Vec<&Condition> {
-    match condition {
-        Condition::Compare { .. } => vec![condition],
-        Condition::And(left, right) | Condition::Or(left, right) => [comparisons(left), comparisons(right)].concat(),
-        Condition::Not(inner) => comparisons(inner),
     }
 }

@@ -80,7 +80,7 @@ pub enum Reason {
 pub enum Undefined {
     /// A quotient, whose divisor may be zero.
     Quotient,
-    /// A square root of what may be negative.
+    /// A function of what may be negative, which has values from zero on.
     Root,
     /// A `positive_root`, whose coefficients may change their sign never or twice.
     PolynomialRoot,

@@ -28,8 +28,7 @@ fn written(expr: &Expr, outer: u8) -> String {
         Expr::Literal { value, .. } => format!("{value:?}"),
         Expr::Name(name) => name.ident.to_string(),
         Expr::Pi(_) => "PI".to_owned(),
-        Expr::Sqrt(inner) => format!("sqrt({})", written(inner, 0)),
-        Expr::Abs(inner) => format!("abs({})", written(inner, 0)),
+        Expr::Call(function, inner) => format!("{}({})", function.name(), written(inner, 0)),
         Expr::Compensated(slice) => format!("compensated!({})", written(&slice.value, 0)),
         Expr::Residual(inner) => format!("residual!({})", written(inner, 0)),
         Expr::If { then, otherwise, .. } => {

@@ -1,5 +1,6 @@
 //! What the runtime promises of its operations: the constants of the error model as exact counts.
 
+use closedform_arith::Function;
 use closedform_arith::error_model::{self, Units};
 use num_rational::BigRational;
 
@@ -7,6 +8,12 @@ use num_rational::BigRational;
 #[must_use]
 pub fn rounding() -> BigRational {
     exact(error_model::ROUNDING)
+}
+
+/// The count of a function of an exact argument, in `f64`.
+#[must_use]
+pub fn call(function: Function) -> BigRational {
+    exact(function.properties().error)
 }
 
 /// The count of a `compensated!` slice of exact operands.

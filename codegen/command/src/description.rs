@@ -1,9 +1,10 @@
 //! Descriptions: what is known of a kernel, as programs read it.
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use closedform_measure::catalogue::{Entry, maxima_name, unit_of};
 use closedform_project::domain::Condition;
+use closedform_syntax::Operations;
 
 /// What is known of a kernel.
 #[derive(Clone, Debug, Serialize)]
@@ -60,21 +61,14 @@ pub struct ResultDescription {
     pub bound_ulp: Option<f64>,
 }
 
-/// How many operations one evaluation takes.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct OperationCounts {
-    /// Additions and subtractions.
-    pub add: u32,
-    /// Multiplications.
-    pub mul: u32,
-    /// Divisions.
-    pub div: u32,
-    /// Square roots.
-    pub sqrt: u32,
-    /// Operations in double-double.
-    pub compensated: u32,
-    /// Roots of polynomials.
-    pub root: u32,
+/// How many operations one evaluation takes, by their keys.
+#[derive(Clone, Copy, Debug)]
+pub struct OperationCounts(Operations);
+
+impl Serialize for OperationCounts {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.named().map(|(key, _, count)| (key, count)))
+    }
 }
 
 impl Description {
@@ -99,25 +93,14 @@ impl Description {
 
 impl OperationCounts {
     fn of(entry: &Entry) -> Self {
-        let closedform_syntax::Operations { add, mul, div, sqrt, compensated, root, .. } =
-            closedform_syntax::operations(&entry.kernel);
-        Self { add, mul, div, sqrt, compensated, root }
+        Self(closedform_syntax::operations(&entry.kernel))
     }
 
     /// The kinds that occur, with their numbers.
     pub fn in_words(&self) -> String {
-        let Self { add, mul, div, sqrt, compensated, root } = *self;
-        let kinds = [
-            (add, "addition"),
-            (mul, "multiplication"),
-            (div, "division"),
-            (sqrt, "square root"),
-            (compensated, "double-double operation"),
-            (root, "polynomial root"),
-        ];
-        let present = kinds.iter().filter(|(count, _)| *count > 0);
+        let present = self.0.named().filter(|(.., count)| *count > 0);
         let present: Vec<String> =
-            present.map(|(count, kind)| format!("{count} {kind}{}", if *count == 1 { "" } else { "s" })).collect();
+            present.map(|(_, kind, count)| format!("{count} {kind}{}", if count == 1 { "" } else { "s" })).collect();
         if present.is_empty() { "none".to_owned() } else { present.join(", ") }
     }
 }

@@ -13,7 +13,8 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// The rules that save operations, or some last ulp: without them no formula loses its digits.
-const NO_RESCUE: [&str; 6] = ["distributed", "double-double", "gathered", "known-sum", "merge-roots", "one-reciprocal"];
+const NO_RESCUE: [&str; 7] =
+    ["distributed", "double-double", "gathered", "known-sum", "merge-cubes", "merge-roots", "one-reciprocal"];
 
 /// What the plain form must be off by, in ulp, for a rule to be worth its name.
 const LOST: f64 = 1000.0;
@@ -59,7 +60,8 @@ fn hurting(rule: &str) -> Vec<Vec<f64>> {
     match rule {
         "needs_compensated" => vec![vec![1.0 + power(-17) + power(-40), 1.0 - power(-17), 1.0, 1.0]],
         "needs_certified" => vec![vec![1.0 + power(-30), 4.0 + power(-30), 4.0, 1.0]],
-        "needs_conjugate" => vec![vec![1e12]],
+        "needs_conjugate" | "needs_cube_conjugate" => vec![vec![1e12]],
+        "needs_cube_quotient" => vec![vec![1.0, 1.0 + power(-30)], vec![-7.0, -7.0 - power(-30)]],
         "needs_differences_first" => {
             vec![vec![1.0, 1.0 + power(-27), 3.0 * power(-27) / 0.7 * (1.0 + power(-20)), 0.7]]
         }
@@ -103,6 +105,7 @@ fn value(expr: &Expr, names: &BTreeMap<&str, f64>) -> f64 {
             BinaryOperator::Subtract => of(left) - of(right),
             BinaryOperator::Multiply => of(left) * of(right),
             BinaryOperator::Divide => of(left) / of(right),
+            BinaryOperator::Power if of(right) == 1.0 / 3.0 => of(left).cbrt(),
             BinaryOperator::Power => of(left).powf(of(right)),
             _ => panic!("{expr:?}"),
         },

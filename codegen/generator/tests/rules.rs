@@ -44,11 +44,17 @@ const FEW: &str = "few_roundings = true\n";
 const ONE_DIVISION: &str = "few_roundings = false\none_division = true\n";
 
 /// Where conditions hold.
-const USED: [Case; 21] = [
+const USED: [Case; 31] = [
     case("compensated", "", &["?*a*b-c*d"]),
     case("compensated", POSITIVE, &["?*a^2*b-c"]),
     case("conjugate", "a >= 0;b > 0", &["sqrt(?*a+b)-sqrt(?*a)"]),
     case("conjugate", POSITIVE, &["(sqrt(a^2+?*b)-a)/c"]),
+    case("cube-conjugate", POSITIVE, &["(?*a+b)^(1/3)-(?*a)^(1/3)"]),
+    case("cube-conjugate", "a > 0;b > 0", &["(a*b)^(2/3)-?*a"]),
+    case("cube-conjugate", "a < 0;b > 0", &["?*a^(1/3)+b^(1/3)"]),
+    case("cube-conjugate", "", &["a^(1/3)-(?*b)^(1/3)"]),
+    case("cube-quotient", "a # b", &["1/(a^(1/3)-b^(1/3))"]),
+    case("cube-quotient", "a > 0;b < 0", &["c/((?*a)^(1/3)-b^(1/3))"]),
     case("differences-first", "c > 0", &["?*a/c-?*b/c-d"]),
     case("distributed", POSITIVE, &["3*a*(5*b*sqrt(c)+c)"]),
     with(FEW, case("double-double", POSITIVE, &["a*b/sqrt(?*a+b*c)"])),
@@ -58,24 +64,39 @@ const USED: [Case; 21] = [
     case("falling-newton", POSITIVE, &["positive_root(c*x^4+?*a*x^2-b*x-d,x)"]),
     case("gathered", POSITIVE, &["(?*a+b)*(b+c)*(c+d)/((a+c)*(b+d))"]),
     case("known-sum", "b > 0;a+b > 0", &["2*a+(2*?+3)*b"]),
+    case("merge-cubes", "b # 0", &["(?*a*c^2/(4*%pi^2*b))^(1/3)"]),
+    case("merge-cubes", "a # 0", &["?*(a*b)^(1/3)/a"]),
+    case("merge-cubes", POSITIVE, &["a^(1/3)*(b+?*c)^(2/3)"]),
     case("merge-roots", "a > 0;b > 0", &["?*sqrt(a)*sqrt(b)/a"]),
     case("merge-roots", "a+b > 0", &["?*sqrt(a+b)/(a+b)"]),
     with(ONE_DIVISION, case("one-reciprocal", POSITIVE, &["?*a/(b*c^2)", "(a+?)/(b^3*c)"])),
     case("same-sign-radicand", "a > 0;b > 0;c > 0;12*c > 4*a^2+6*a*b", &["(sqrt(9*b^2-12*a*b+4*a^2+96*c)-3*b-6*a)/?"]),
     case("sign-branch", "b > 0", &["sqrt(a^2+?*b)-a"]),
     case("sign-branch", "b > 0", &["1/(sqrt(?*a^2+b)+a)"]),
+    case("sign-branch", "b # 0", &["a^(1/3)+?*b"]),
     case("through-result", POSITIVE, &["(sqrt(b^2+2*a*c)-b)/c", "sqrt(b^2+2*a*c)-b"]),
     case("certified", POSITIVE, &["?+max(a,2*b)"]),
 ];
 
 /// Where they do not: what the rule would make of these is wrong, cancels, or is not worth it.
-const REFUSED: [Case; 22] = [
+const REFUSED: [Case; 31] = [
     // the terms agree in sign
     case("compensated", POSITIVE, &["?*a*b+c*d"]),
     // the terms of the root's sum agree in sign
     case("conjugate", "a >= 0;b > 0", &["sqrt(?*a+b)+sqrt(?*a)"]),
     // both terms may vanish together, and with them the sum below the bar
     case("conjugate", "a >= 0;b >= 0", &["sqrt(?*a)+sqrt(b)"]),
+    // the terms agree in sign
+    case("cube-conjugate", POSITIVE, &["(?*a+b)^(1/3)+(?*a)^(1/3)"]),
+    case("cube-conjugate", "a < 0;b < 0", &["?*a^(1/3)+b^(1/3)"]),
+    // the difference stands below the bar, which canonical forms free of it
+    case("cube-conjugate", POSITIVE, &["1/((a+?*b)^(1/3)-a^(1/3))"]),
+    // three terms, two of which stand against one
+    case("cube-conjugate", POSITIVE, &["a^(1/3)+b^(1/3)-?*c^(1/3)"]),
+    // the terms agree in sign
+    case("cube-quotient", "a > b;b > 0", &["1/(a^(1/3)-b^(1/3))"]),
+    // these three terms are no squares with a product
+    case("cube-quotient", POSITIVE, &["a^(2/3)-?*(a*b)^(1/3)+b^(2/3)+c"]),
     // h is left of a + h and b + h
     case("differences-first", "c > 0", &["5*a/c-7*b/c-d"]),
     // the factor has either sign, and so have the terms: their sum may be of terms of other signs than that of the formula
@@ -89,6 +110,10 @@ const REFUSED: [Case; 22] = [
     case("known-sum", "b > 0;a-b > 0", &["?*a+7*b"]),
     case("known-sum", "b > 0", &["?*a+7*b"]),
     case("known-sum", "b > 0;a+b # 0", &["?*a+7*b"]),
+    // each root stands alone
+    case("merge-cubes", POSITIVE, &["a^(1/3)+?*b^(1/3)"]),
+    // a square root is no cube root
+    case("merge-cubes", POSITIVE, &["?*sqrt(a)*sqrt(b)"]),
     // each root stands alone
     case("merge-roots", POSITIVE, &["sqrt(?*a)+sqrt(b)"]),
     // below the root of a quotient, a would lose its sign
@@ -104,6 +129,8 @@ const REFUSED: [Case; 22] = [
     // the sign is known
     case("sign-branch", "a > 0;b > 0", &["sqrt(a^2+?*b)-a"]),
     case("sign-branch", "a < 0;b > 0", &["sqrt(a^2+?*b)-a"]),
+    // the root that they share is no square root
+    case("through-result", POSITIVE, &["((b^3+2*a*c)^(1/3)-b)/c", "(b^3+2*a*c)^(1/3)-b"]),
     // another root
     case("through-result", POSITIVE, &["(sqrt(b^2+?*a*c)-b)/c", "sqrt(b^2+?*a*d)-b"]),
     // no sum of the direct form cancels and there is nothing to take from it

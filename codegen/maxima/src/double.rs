@@ -18,11 +18,13 @@ pub struct DoubleOperations {
     pub div: u32,
     /// Square roots.
     pub sqrt: u32,
+    /// Real cube roots.
+    pub cbrt: u32,
 }
 
 /// The value in double precision, every operation rounded once, in the order of the text; `values` are those of `names`.
 ///
-/// Integer powers are products, by repeated squaring; halves of odd powers are powers of a square root. `None` where the
+/// Integer powers are products, by repeated squaring; halves and thirds of powers are powers of a root. `None` where the
 /// formula has another function than `sqrt` and `abs`, or something else than numbers, names and `+ - * / ^`.
 #[must_use]
 pub fn evaluate_double(formula: &Expr, names: &[impl AsRef<str>], values: &[f64]) -> Option<f64> {
@@ -46,6 +48,7 @@ trait Arithmetic {
     fn neg(&self, a: Self::Value) -> Self::Value;
     fn abs(&self, a: Self::Value) -> Self::Value;
     fn sqrt(&self, a: Self::Value) -> Self::Value;
+    fn cbrt(&self, a: Self::Value) -> Self::Value;
     fn add(&self, a: Self::Value, b: Self::Value) -> Self::Value;
     fn sub(&self, a: Self::Value, b: Self::Value) -> Self::Value;
     fn mul(&self, a: Self::Value, b: Self::Value) -> Self::Value;
@@ -100,6 +103,7 @@ fn power<A: Arithmetic>(arithmetic: &A, base: A::Value, exponent: &BigRational) 
     let base = match exponent.denom().to_u32()? {
         1 => base,
         2 => arithmetic.sqrt(base),
+        3 => arithmetic.cbrt(base),
         _ => return None,
     };
     let count = exponent.numer().abs().to_u32()?;
@@ -134,6 +138,11 @@ impl Arithmetic for Rounded<'_> {
         a.sqrt()
     }
 
+    /// Not that of the standard library, which differs between systems.
+    fn cbrt(&self, a: f64) -> f64 {
+        libm::cbrt(a)
+    }
+
     fn add(&self, a: f64, b: f64) -> f64 {
         a + b
     }
@@ -164,7 +173,13 @@ struct Counted;
 
 impl Counted {
     fn both(a: DoubleOperations, b: DoubleOperations) -> DoubleOperations {
-        DoubleOperations { add: a.add + b.add, mul: a.mul + b.mul, div: a.div + b.div, sqrt: a.sqrt + b.sqrt }
+        DoubleOperations {
+            add: a.add + b.add,
+            mul: a.mul + b.mul,
+            div: a.div + b.div,
+            sqrt: a.sqrt + b.sqrt,
+            cbrt: a.cbrt + b.cbrt,
+        }
     }
 }
 
@@ -189,6 +204,10 @@ impl Arithmetic for Counted {
 
     fn sqrt(&self, a: DoubleOperations) -> DoubleOperations {
         DoubleOperations { sqrt: a.sqrt + 1, ..a }
+    }
+
+    fn cbrt(&self, a: DoubleOperations) -> DoubleOperations {
+        DoubleOperations { cbrt: a.cbrt + 1, ..a }
     }
 
     fn add(&self, a: DoubleOperations, b: DoubleOperations) -> DoubleOperations {
@@ -234,12 +253,14 @@ mod tests {
         assert_eq!(value("x^-2", 3.0), Some(1.0 / 9.0));
         assert_eq!(value("sqrt(abs(x))", -2.0), Some(2.0_f64.sqrt()));
         assert_eq!(value("0.1*%pi", 0.0), Some(0.1 * std::f64::consts::PI));
+        assert_eq!(value("x^(2/3)", -8.0), Some(4.0));
+        assert_eq!(value("x^(-1/3)", -8.0), Some(-0.5));
         assert!(value("sqrt(x)", -1.0).is_some_and(f64::is_nan));
     }
 
     #[test]
     fn what_is_no_plain_formula_has_no_value() {
-        for text in ["y", "sin(x)", "x^x", "x^(1/3)", "positive_root(z^2-x,z)", "x < 1"] {
+        for text in ["y", "sin(x)", "x^x", "x^(1/5)", "positive_root(z^2-x,z)", "x < 1"] {
             assert_eq!(value(text, 2.0), None, "{text}");
         }
     }
@@ -247,8 +268,9 @@ mod tests {
     #[test]
     fn operations_are_counted_as_written() {
         let count = |text: &str| double_operations(&parse_expression(text).unwrap());
-        let [add, mul, div, sqrt] = [2, 4, 2, 1];
-        assert_eq!(count("-(a+b)^5*c/d - sqrt(1/x)"), Some(DoubleOperations { add, mul, div, sqrt }));
+        let [add, mul, div, sqrt, cbrt] = [3, 5, 2, 1, 1];
+        let expected = Some(DoubleOperations { add, mul, div, sqrt, cbrt });
+        assert_eq!(count("-(a+b)^5*c/d - x^(2/3) + sqrt(1/x)"), expected);
         assert_eq!(count("sin(x)"), None);
     }
 }

@@ -41,7 +41,7 @@ pub struct Row {
     pub roundings: u32,
     /// Divisions among them.
     pub divisions: u32,
-    /// Square roots among them.
+    /// Roots of numbers among them.
     pub roots: u32,
     /// Operations in double-double.
     pub wide: u32,
@@ -203,7 +203,7 @@ fn row(entry: &Entry, position: usize, formula: &Expr, measured: &Measured) -> R
         rules: entry.kernel.meta.rules.join(" "),
         roundings: roundings(&count, precision),
         divisions: count.div,
-        roots: count.sqrt,
+        roots: calls(&count),
         wide: count.compensated,
         bound_ulp: result.bound.map_or_else(String::new, |bound| bound.to_string()),
         worst_ulp: ulp_text(measured.worst),
@@ -218,10 +218,15 @@ fn row(entry: &Entry, position: usize, formula: &Expr, measured: &Measured) -> R
     }
 }
 
+/// Calls of functions that round.
+fn calls(count: &Operations) -> u32 {
+    count.calls().map(|(_, calls)| calls).sum()
+}
+
 /// In double-double, and certified, only the result is rounded.
 fn roundings(count: &Operations, precision: Precision) -> u32 {
     match precision {
-        Precision::Double => count.add + count.mul + count.div + count.sqrt + count.slices + count.root,
+        Precision::Double => count.add + count.mul + count.div + calls(count) + count.slices + count.root,
         Precision::DoubleDouble | Precision::Certified => 1,
     }
 }

@@ -86,10 +86,7 @@ impl Part {
 
 /// Where the first number or name of a condition stands.
 fn first_of_condition(condition: &Condition) -> Span {
-    match condition {
-        Condition::Compare { left, .. } => first(left),
-        Condition::And(left, _) | Condition::Or(left, _) | Condition::Not(left) => first_of_condition(left),
-    }
+    condition.sides().first().map_or_else(Span::call_site, |side| first(side))
 }
 
 /// Where the first number or name of an expression stands.
@@ -97,10 +94,6 @@ fn first(expr: &Expr) -> Span {
     match expr {
         Expr::Literal { span, .. } | Expr::Pi(span) => *span,
         Expr::Name(name) => name.ident.span(),
-        Expr::Neg(inner) | Expr::Sqrt(inner) | Expr::Abs(inner) | Expr::Residual(inner) => first(inner),
-        Expr::Binary { left, .. } => first(left),
-        Expr::If { condition, .. } => first_of_condition(condition),
-        Expr::Compensated(slice) => first(&slice.value),
-        Expr::Extreme { items, .. } | Expr::PositiveRoot(items) => items.first().map_or_else(Span::call_site, first),
+        _ => expr.children().first().map_or_else(Span::call_site, |child| first(child)),
     }
 }

@@ -119,7 +119,6 @@ impl Slots {
     }
 
     fn canonical(&self, expr: &Expr) -> Option<Sum> {
-        let function = |name: &str, inner: &Expr| self.text(inner).map(|inner| Sum::atom(format!("{name}{inner}")));
         match expr {
             Expr::Literal { value, .. } => Rational::from_f64(*value).map(Sum::number),
             Expr::Name(name) => self.0.get(name.slot).cloned(),
@@ -134,13 +133,12 @@ impl Slots {
                     BinaryOp::Div => left.times(&right.reciprocal()?),
                 }
             }
-            Expr::Sqrt(inner) => match **inner {
+            Expr::Call(function, inner) => match **inner {
                 Expr::Literal { value, .. } if value == 0.0 || value == 1.0 => self.canonical(inner),
-                _ => function("sqrt", inner),
+                _ => self.called(function.name(), inner, function.is_odd(), function.is_even()),
             },
-            Expr::Abs(inner) => function("abs", inner),
-            Expr::Compensated(slice) => self.odd("compensated", &slice.value),
-            Expr::Residual(inner) => self.odd("residual", inner),
+            Expr::Compensated(slice) => self.called("compensated", &slice.value, true, false),
+            Expr::Residual(inner) => self.called("residual", inner, true, false),
             Expr::If { condition, then, otherwise } => {
                 let parts = [self.condition(condition)?, self.text(then)?, self.text(otherwise)?];
                 Some(Sum::atom(format!("if{parts:?}")))
@@ -157,12 +155,13 @@ impl Slots {
         }
     }
 
-    /// A function that turns its sign with its argument.
-    fn odd(&self, name: &str, inner: &Expr) -> Option<Sum> {
+    /// A function, which may be odd or even.
+    fn called(&self, name: &str, inner: &Expr, odd: bool, even: bool) -> Option<Sum> {
         let inner = self.canonical(inner)?;
-        let negative = inner.0.values().next().is_some_and(|first| *first < 0);
-        let atom = |inner: Sum| Sum::atom(format!("{name}{}", inner.to_text()));
-        Some(if negative { atom(inner.negated()).negated() } else { atom(inner) })
+        let turned = (odd || even) && inner.0.values().next().is_some_and(|first| *first < 0);
+        let inner = if turned { inner.negated() } else { inner };
+        let value = Sum::atom(format!("{name}{}", inner.to_text()));
+        Some(if turned && odd { value.negated() } else { value })
     }
 
     fn condition(&self, condition: &Condition) -> Option<String> {

@@ -101,48 +101,35 @@ impl Probe {
     }
 }
 
+/// Of every comparison inside, the difference of its sides; of every sum and slice the value; of every extreme the
+/// differences of neighbours.
 fn of_condition(condition: &Condition, found: &mut Vec<Expr>) {
-    match condition {
-        Condition::Compare { left, right, .. } => {
-            let (less, than) = (left.clone().into(), right.clone().into());
-            found.push(Expr::Binary { op: BinaryOp::Sub, left: less, right: than });
+    for comparison in condition.comparisons() {
+        if let [left, right] = comparison.sides()[..] {
+            found.push(difference(left, right));
             of_expression(left, found);
             of_expression(right, found);
         }
-        Condition::And(left, right) | Condition::Or(left, right) => {
-            of_condition(left, found);
-            of_condition(right, found);
-        }
-        Condition::Not(inner) => of_condition(inner, found),
     }
+}
+
+fn difference(left: &Expr, right: &Expr) -> Expr {
+    Expr::Binary { op: BinaryOp::Sub, left: left.clone().into(), right: right.clone().into() }
 }
 
 fn of_expression(expr: &Expr, found: &mut Vec<Expr>) {
     match expr {
-        Expr::Literal { .. } | Expr::Name(_) | Expr::Pi(_) => {}
-        Expr::Compensated(_) | Expr::Residual(_) => found.push(expr.clone()),
-        Expr::Neg(inner) | Expr::Sqrt(inner) | Expr::Abs(inner) => of_expression(inner, found),
-        Expr::Binary { op, left, right } => {
-            if matches!(op, BinaryOp::Add | BinaryOp::Sub) {
-                found.push(expr.clone());
-            }
-            of_expression(left, found);
-            of_expression(right, found);
-        }
+        Expr::Compensated(_) | Expr::Residual(_) => return found.push(expr.clone()),
+        Expr::Binary { op: BinaryOp::Add | BinaryOp::Sub, .. } => found.push(expr.clone()),
         Expr::If { condition, then, otherwise } => {
             of_condition(condition, found);
-            of_expression(then, found);
-            of_expression(otherwise, found);
+            [then, otherwise].into_iter().for_each(|side| of_expression(side, found));
+            return;
         }
         Expr::Extreme { items, .. } => {
-            let pairs = items.iter().zip(items.iter().skip(1));
-            let difference = |(one, next): (&Expr, &Expr)| {
-                let (left, right) = (one.clone().into(), next.clone().into());
-                Expr::Binary { op: BinaryOp::Sub, left, right }
-            };
-            found.extend(pairs.map(difference));
-            items.iter().for_each(|item| of_expression(item, found));
+            found.extend(items.windows(2).filter_map(|pair| Some(difference(pair.first()?, pair.last()?))));
         }
-        Expr::PositiveRoot(coefficients) => coefficients.iter().for_each(|c| of_expression(c, found)),
+        _ => {}
     }
+    expr.children().into_iter().for_each(|child| of_expression(child, found));
 }

@@ -102,7 +102,7 @@ fn choices(kernel: &mut Kernel) -> Vec<&mut Expr> {
 fn collect_choices<'k>(expr: &'k mut Expr, found: &mut Vec<&'k mut Expr>) {
     match expr {
         Expr::If { .. } => found.push(expr),
-        Expr::Neg(inner) | Expr::Sqrt(inner) | Expr::Abs(inner) => collect_choices(inner, found),
+        Expr::Neg(inner) | Expr::Call(_, inner) => collect_choices(inner, found),
         Expr::Binary { left, right, .. } => [left, right].into_iter().for_each(|side| collect_choices(side, found)),
         Expr::Extreme { items, .. } | Expr::PositiveRoot(items) => {
             items.iter_mut().for_each(|item| collect_choices(item, found));

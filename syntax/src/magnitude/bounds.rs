@@ -1,5 +1,8 @@
 //! What is known of a value: bounds of its magnitude, what it is a multiple of, its sign.
 
+use std::cmp::Ordering;
+
+use closedform_arith::Function;
 use closedform_arith::range::STEP;
 
 /// Bits of a number after its leading one.
@@ -43,6 +46,23 @@ impl Sign {
             Sign::Negative => other.turned(),
             Sign::Open => Sign::Open,
         }
+    }
+
+    /// That of a function's value.
+    fn called(self, function: Function) -> Self {
+        let at = |sign| match function.sign(sign) {
+            Some(Ordering::Less) => Some(Sign::Negative),
+            Some(Ordering::Greater) => Some(Sign::Positive),
+            _ => None,
+        };
+        let (negative, positive) = (at(Ordering::Less), at(Ordering::Greater));
+        let image = match self {
+            Sign::Negative => negative,
+            Sign::Positive => positive,
+            Sign::Open => negative.map_or(positive, |negative| positive.map(|positive| negative.or(positive))),
+        };
+        // where there is no value nothing depends on it
+        image.or(positive).unwrap_or(Sign::Open)
     }
 
     fn or(self, other: Self) -> Self {
@@ -149,11 +169,17 @@ impl Bounds {
         Bounds { low, high, grid: low - FRACTION, sign: self.sign.times(other.sign), ..self }
     }
 
-    /// The root; the radicand is not negative.
-    pub(super) fn root(self) -> Self {
-        let low = self.low.div_euclid(2);
-        let high = (self.high + 1).div_euclid(2);
-        Bounds { low, high, grid: low - FRACTION, sign: Sign::Positive, ..self }
+    /// The value of a function, where it has one.
+    pub(super) fn called(self, function: Function) -> Self {
+        let sign = self.sign.called(function);
+        if function.is_exact() {
+            return Bounds { sign, ..self };
+        }
+        let (p, q) = function.properties().exponent;
+        let (p, q) = (i64::from(p), i64::from(q));
+        let low = (self.low * p).div_euclid(q);
+        let high = (self.high * p + q - 1).div_euclid(q);
+        Bounds { low, high, grid: low - FRACTION, sign, ..self }
     }
 }
 

@@ -1,9 +1,9 @@
 //! Sets of signs.
 
-use closedform_syntax::Relation;
+use closedform_syntax::{Function, Relation};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
-use std::cmp::Ordering;
+use std::cmp::Ordering::{self, Equal, Greater, Less};
 use std::fmt;
 
 /// The signs that a value can have.
@@ -112,6 +112,14 @@ impl Sign {
             zero: self.zero && !other.is_impossible() || other.zero && !self.is_impossible(),
             positive: self.positive && other.positive || self.negative && other.negative,
         }
+    }
+
+    /// That of a function's value, where there is one.
+    pub fn called(self, function: Function) -> Self {
+        let signs = [(self.negative, Less), (self.zero, Equal), (self.positive, Greater)];
+        let values = signs.into_iter().filter(|(possible, _)| *possible).filter_map(|(_, sign)| function.sign(sign));
+        let is = |wanted: Ordering| values.clone().any(|sign| sign == wanted);
+        Self { negative: is(Less), zero: is(Equal), positive: is(Greater) }
     }
 
     /// That of a power.

@@ -7,4 +7,4 @@ mod tower;
 
 pub use set::Sign;
 pub use sign::{Facts, Slack};
-pub use tower::{Element, Radical, Tower, TowerError, conjugate, parts};
+pub use tower::{Element, Radical, Tower, TowerError, parts, powers};

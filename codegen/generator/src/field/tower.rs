@@ -1,22 +1,28 @@
-//! Canonical forms: closed forms as elements of a tower of square roots over rational functions.
+//! Canonical forms: closed forms as elements of a tower of square and cube roots over rational functions.
+
+mod cube;
+mod square;
+mod surd;
+
+pub use surd::{parts, powers};
 
 use super::{Facts, Sign};
 use crate::algebra::{Algebra, Polynomial, Ring, Var};
 use closedform_project::expression::Expr;
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use closedform_syntax::Function;
 use std::collections::BTreeMap;
 use thiserror::Error;
 
 /// How many variables a tower can add to the inputs: square roots, named differences, results, the circle constant.
 const SPARE: usize = 48;
 
-/// A square root that the inputs do not contain.
+/// A real root that the inputs do not contain.
 #[derive(Clone, Debug)]
 pub struct Radical {
     /// The variable that stands for the root.
     pub var: Var,
+    /// Its degree: 2 or 3.
+    pub degree: u32,
     /// The polynomial under the root, in the inputs and the radicals before this one.
     pub radicand: Polynomial,
 }
@@ -24,7 +30,7 @@ pub struct Radical {
 /// A quotient whose denominator is free of radicals, in lowest terms; equal elements are the same.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Element {
-    /// The numerator, at most linear in each radical.
+    /// The numerator, of a degree in each radical below the radical's own.
     pub numerator: Polynomial,
     /// The denominator: coprime integer coefficients, upright sign.
     pub denominator: Polynomial,
@@ -37,7 +43,7 @@ pub enum TowerError {
     #[error("divides by an expression that is zero everywhere")]
     DivisionByZero,
     /// More radicals than the ring has room for.
-    #[error("has more than {SPARE} different square roots and named parts")]
+    #[error("has more than {SPARE} different roots and named parts")]
     TooManyRadicals,
     /// A polynomial root inside another expression.
     #[error(
@@ -50,7 +56,7 @@ pub enum TowerError {
     )]
     NestedExtreme,
     /// A root of something that is no polynomial in its unknown.
-    #[error("asks for the positive_root() of something that is no polynomial in its unknown, free of square roots")]
+    #[error("asks for the positive_root() of something that is no polynomial in its unknown, free of roots")]
     NoPolynomial,
     /// An exponent out of range.
     #[error("has an exponent too large to expand")]
@@ -58,6 +64,9 @@ pub enum TowerError {
     /// A name that is no input.
     #[error("uses `{0}`, which is no input")]
     UnknownName(String),
+    /// A sum with a cube root that may cancel in a way that no rule mends.
+    #[error("adds three terms with a cube root, or its square, that may cancel")]
+    CancellingCubes,
     /// The square root of a negative constant.
     #[error("takes the square root of a negative number")]
     NegativeRadicand,
@@ -114,6 +123,20 @@ impl Tower {
     #[must_use]
     pub fn inputs(&self) -> usize {
         self.names.len()
+    }
+
+    /// The radical of this degree and radicand, as an element; a new one if there is none.
+    fn radical_of(&mut self, degree: u32, radicand: &Polynomial, sign: Sign) -> Result<Element, TowerError> {
+        let known = self.radicals.iter().find(|known| known.degree == degree && known.radicand == *radicand);
+        let var = match known {
+            Some(known) => known.var,
+            None => {
+                let var = self.allocate(sign)?;
+                self.radicals.push(Radical { var, degree, radicand: radicand.clone() });
+                var
+            }
+        };
+        Ok(self.element(&self.ring.variable(var)))
     }
 
     /// A new variable of a given sign.
@@ -177,16 +200,21 @@ impl Tower {
                 let base = self.canonical(base)?;
                 self.power(&base, *exponent)
             }
-            Expr::Sqrt(base) => {
-                let base = self.canonical(base)?;
-                self.sqrt(&base)
-            }
-            Expr::Abs(base) => {
-                let base = self.canonical(base)?;
-                self.abs(&base)
+            Expr::Call(function, argument) => {
+                let argument = self.canonical(argument)?;
+                self.call(*function, &argument)
             }
             Expr::Extreme { .. } => Err(TowerError::NestedExtreme),
             Expr::PositiveRoot { .. } => Err(TowerError::NestedRoot),
+        }
+    }
+
+    /// A function of an element.
+    fn call(&mut self, function: Function, argument: &Element) -> Result<Element, TowerError> {
+        match function {
+            Function::Sqrt => self.sqrt(argument),
+            Function::Abs => self.abs(argument),
+            Function::Cbrt => self.cube_root(argument),
         }
     }
 
@@ -287,7 +315,7 @@ impl Tower {
         let mut numerator = self.reduce(numerator);
         let mut denominator = self.reduce(denominator);
         while let Some(radical) = self.top_radical(&denominator) {
-            let conjugate = conjugate(&denominator, radical.var);
+            let conjugate = self.conjugate(&denominator, radical);
             numerator = self.reduce(&numerator.times(&conjugate));
             denominator = self.reduce(&denominator.times(&conjugate));
         }
@@ -297,19 +325,19 @@ impl Tower {
         Ok(self.lowest_terms(&numerator, &denominator))
     }
 
-    /// Replaces even powers of radicals by powers of their radicands.
+    /// Replaces powers of radicals by powers of their radicands.
     #[must_use]
     pub fn reduce(&self, polynomial: &Polynomial) -> Polynomial {
         let mut result = polynomial.clone();
         for radical in self.radicals.iter().rev() {
-            if result.degree(radical.var) < 2 {
+            if u32::from(result.degree(radical.var)) < radical.degree {
                 continue;
             }
             let root = self.ring.variable(radical.var);
             let mut sum = self.ring.integer(0);
-            for (power, coefficient) in result.coefficients(radical.var).iter().enumerate() {
-                let even = coefficient.times(&radical.radicand.power((power / 2) as u32));
-                sum = sum.plus(&if power % 2 == 0 { even } else { even.times(&root) });
+            for (power, coefficient) in (0..).zip(&result.coefficients(radical.var)) {
+                let whole = coefficient.times(&radical.radicand.power(power / radical.degree));
+                sum = sum.plus(&whole.times(&root.power(power % radical.degree)));
             }
             result = sum;
         }
@@ -341,211 +369,4 @@ impl Tower {
         }
         parts
     }
-
-    /// The nonnegative square root.
-    ///
-    /// # Errors
-    /// See [`TowerError`].
-    pub fn sqrt(&mut self, a: &Element) -> Result<Element, TowerError> {
-        if a.numerator.is_zero() {
-            return Ok(a.clone());
-        }
-        let radicand = self.reduce(&a.numerator.times(&a.denominator));
-        let sign = self.facts.sign(&a.denominator);
-        let (outside, denominator, inside) = self.split_squares(&radicand)?;
-        let root = self.radical(&inside)?;
-        let magnitude = if sign.is(Sign::NONNEGATIVE) {
-            a.denominator.clone()
-        } else if sign.is(Sign::NONPOSITIVE) {
-            a.denominator.negated()
-        } else {
-            return self.sqrt_over_open_sign(a);
-        };
-        let root = self.multiply(&root, &self.element(&outside))?;
-        self.multiply(&root, &self.quotient(&self.ring.integer(1), &magnitude.scaled(&denominator))?)
-    }
-
-    /// `sqrt(n/d)` where the sign of `d` is open: `sqrt(n*d)/|d|`, and `|d|` is `sqrt(d^2)`.
-    fn sqrt_over_open_sign(&mut self, a: &Element) -> Result<Element, TowerError> {
-        let magnitude = self.radical(&a.denominator.power(2))?;
-        let inside = self.reduce(&a.numerator.times(&a.denominator));
-        let root = self.sqrt(&self.element(&inside))?;
-        self.multiply(&root, &self.reciprocal(&magnitude)?)
-    }
-
-    /// Writes a radicand as `(outside/denominator)^2 * inside`.
-    fn split_squares(&self, radicand: &Polynomial) -> Result<(Polynomial, BigRational, Polynomial), TowerError> {
-        let content = self.content(radicand);
-        let rational = radicand.primitive().0.abs();
-        let (square, rest) = split_square_integer(&(rational.numer() * rational.denom()));
-        let mut outside = self.ring.constant(&BigRational::from_integer(square));
-        let denominator = BigRational::from_integer(rational.denom().clone());
-        let mut inside = radicand.scaled(&(BigRational::from_integer(rest) / &rational));
-        for (factor, exponent) in &content.factors().powers {
-            let sign = self.facts.sign(factor);
-            if *exponent < 2 || !sign.is_definite() {
-                continue;
-            }
-            let magnitude = if sign.is(Sign::NONNEGATIVE) { factor.clone() } else { factor.negated() };
-            outside = outside.times(&magnitude.power(exponent / 2));
-            let squares = factor.power(exponent / 2 * 2);
-            inside = inside.divided_by(&squares).unwrap_or(inside);
-        }
-        if inside.as_constant().is_some_and(|c| c.is_negative()) {
-            return Err(TowerError::NegativeRadicand);
-        }
-        Ok((outside, denominator, inside))
-    }
-
-    /// The root of a polynomial, through radicals that the tower has, or as a new one.
-    fn radical(&mut self, inside: &Polynomial) -> Result<Element, TowerError> {
-        if inside.as_constant().is_some_and(|c| c.is_one()) {
-            return Ok(self.element(&self.ring.integer(1)));
-        }
-        if let Some(known) = self.radicals.iter().find(|radical| radical.radicand == *inside) {
-            return Ok(self.element(&self.ring.variable(known.var)));
-        }
-        if let Some(known) = self.through_known_radicals(inside) {
-            return Ok(known);
-        }
-        let sign = if self.facts.sign(inside).is(Sign::POSITIVE) { Sign::POSITIVE } else { Sign::NONNEGATIVE };
-        let var = self.allocate(sign)?;
-        // an expression that takes this root is real nowhere else
-        self.facts.learn(inside, Sign::NONNEGATIVE);
-        self.radicals.push(Radical { var, radicand: inside.clone() });
-        Ok(self.element(&self.ring.variable(var)))
-    }
-
-    /// The root as a quotient of known radicals times a polynomial: `sqrt(6)` is `sqrt(2)*sqrt(3)`, and so is `sqrt(2)`
-    /// if `sqrt(6)` and `sqrt(3)` are known.
-    fn through_known_radicals(&self, inside: &Polynomial) -> Option<Element> {
-        let count = self.radicals.len().min(6);
-        (1_usize..1 << count).find_map(|all| {
-            // the subsets of `all`, the whole first
-            let mut below = std::iter::successors(Some(all), |below| below.checked_sub(1).map(|below| below & all));
-            below.find_map(|below| self.through_quotient(inside, all & !below, below))
-        })
-    }
-
-    /// The root as a polynomial times the radicals `above`, over those `below`.
-    fn through_quotient(&self, inside: &Polynomial, above: usize, below: usize) -> Option<Element> {
-        let chosen =
-            |set: usize| self.radicals.iter().enumerate().filter(move |(i, _)| set >> i & 1 == 1).map(|(_, r)| r);
-        let one = self.ring.integer(1);
-        let divisor = chosen(below).fold(one.clone(), |p, r| p.times(&r.radicand));
-        let radicands = chosen(above).fold(one.clone(), |p, r| p.times(&r.radicand));
-        let square = self.reduce(&inside.times(&divisor)).divided_by(&radicands)?;
-        let (outside, denominator) = self.root_of_square(&square)?;
-        let roots = chosen(above | below).fold(outside, |p, r| p.times(&self.ring.variable(r.var)));
-        self.quotient(&roots, &divisor.scaled(&denominator)).ok()
-    }
-
-    /// The root of a square, as a polynomial and a number that divides it.
-    fn root_of_square(&self, square: &Polynomial) -> Option<(Polynomial, BigRational)> {
-        let (outside, denominator, rest) = self.split_squares(square).ok()?;
-        rest.as_constant()?.is_one().then_some((outside, denominator))
-    }
-
-    /// The magnitude: where the sign is open, the root of the square.
-    fn abs(&mut self, a: &Element) -> Result<Element, TowerError> {
-        let sign = self.sign(a);
-        if sign.is(Sign::NONNEGATIVE) {
-            Ok(a.clone())
-        } else if sign.is(Sign::NONPOSITIVE) {
-            Ok(self.negate(a))
-        } else {
-            let above = self.sqrt(&self.element(&self.reduce(&a.numerator.power(2))))?;
-            let below = self.sqrt(&self.element(&a.denominator.power(2)))?;
-            self.multiply(&above, &self.reciprocal(&below)?)
-        }
-    }
-
-    /// What a radical is the magnitude of, if it is the root of a square.
-    #[must_use]
-    pub fn magnitude_of(&self, radical: &Radical) -> Option<Polynomial> {
-        let factors = radical.radicand.factors();
-        let even = factors.powers.iter().all(|(_, power)| power % 2 == 0);
-        let root = factors.powers.iter().fold(self.ring.integer(1), |p, (f, power)| p.times(&f.power(power / 2)));
-        (even && factors.constant.is_one() && self.top_radical(&radical.radicand).is_none()).then_some(root)
-    }
-
-    /// The sign of an element on the domain.
-    #[must_use]
-    pub fn sign(&self, a: &Element) -> Sign {
-        self.sign_of(&a.numerator) * self.facts.sign(&a.denominator)
-    }
-
-    /// The sign of a polynomial in inputs and radicals.
-    #[must_use]
-    pub fn sign_of(&self, polynomial: &Polynomial) -> Sign {
-        let Some(radical) = self.top_radical(polynomial) else {
-            return self.facts.sign(polynomial);
-        };
-        let (rational, surd) = parts(polynomial, radical.var);
-        let root = self.facts.variable(radical.var);
-        let left = self.sign_of(&rational);
-        let right = self.sign_of(&surd) * root;
-        let sum = left.plus(right);
-        if sum.is_definite() {
-            return sum;
-        }
-        // a + b*r with a and b*r of opposite signs has the sign of the norm, or its negative
-        let norm = self.sign_of(&self.norm(polynomial, radical));
-        if left.is(Sign::NONNEGATIVE) && right.is(Sign::NONPOSITIVE) {
-            norm
-        } else if left.is(Sign::NONPOSITIVE) && right.is(Sign::NONNEGATIVE) {
-            -norm
-        } else {
-            Sign::ANY
-        }
-    }
-
-    /// The product of a polynomial with its conjugate, free of the radical.
-    #[must_use]
-    pub fn norm(&self, polynomial: &Polynomial, radical: &Radical) -> Polynomial {
-        self.reduce(&polynomial.times(&conjugate(polynomial, radical.var)))
-    }
-}
-
-/// The polynomial with the radical's sign turned.
-#[must_use]
-pub fn conjugate(polynomial: &Polynomial, radical: Var) -> Polynomial {
-    let root = polynomial.ring().variable(radical);
-    let (rational, surd) = parts(polynomial, radical);
-    rational.minus(&surd.times(&root))
-}
-
-/// The parts `a`, `b` of `a + b*radical`.
-#[must_use]
-pub fn parts(polynomial: &Polynomial, radical: Var) -> (Polynomial, Polynomial) {
-    let mut coefficients = polynomial.coefficients(radical).into_iter();
-    let zero = polynomial.ring().integer(0);
-    let rational = coefficients.next().unwrap_or_else(|| zero.clone());
-    (rational, coefficients.next().unwrap_or(zero))
-}
-
-/// Writes a positive integer as `square^2 * rest`, by trial division (a large cofactor stays whole).
-fn split_square_integer(value: &BigInt) -> (BigInt, BigInt) {
-    let mut rest = value.clone();
-    let mut square = BigInt::one();
-    let root = value.sqrt();
-    if &root * &root == *value {
-        return (root, BigInt::one());
-    }
-    for divisor in 2_u32..=10_000 {
-        let divisor = BigInt::from(divisor);
-        let divisor_squared = &divisor * &divisor;
-        if divisor_squared > rest {
-            break;
-        }
-        while (&rest % &divisor_squared).is_zero() {
-            rest /= &divisor_squared;
-            square *= &divisor;
-        }
-    }
-    let root = rest.sqrt();
-    if root.to_u8() != Some(1) && &root * &root == rest {
-        return (square * root, BigInt::one());
-    }
-    (square, rest)
 }

@@ -154,8 +154,7 @@ impl<'k> Walk<'_, 'k> {
             Source::Name(name) => self.slot(name.slot),
             Source::Pi(_) => Expr::Pi,
             Source::Neg(a) => self.value(a).negated(),
-            Source::Sqrt(a) => Expr::Sqrt(Box::new(self.value(a))),
-            Source::Abs(a) => Expr::Abs(Box::new(self.value(a))),
+            Source::Call(function, a) => Expr::call(*function, self.value(a)),
             Source::Compensated(slice) => self.value(&slice.value),
             Source::Residual(a) => self.value(a),
             Source::Binary { op, left, right } => {

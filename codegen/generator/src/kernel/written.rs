@@ -97,13 +97,9 @@ impl<'a> Written<'a> {
                 let power = self.power(base, exponent.unsigned_abs())?;
                 if *exponent < 0 { self.quotient(None, power) } else { Ok(power) }
             }
-            Expr::Sqrt(inner) => {
+            Expr::Call(function, inner) => {
                 let inner = self.expression(inner)?;
-                Ok(self.graph.sqrt(inner))
-            }
-            Expr::Abs(inner) => {
-                let inner = self.expression(inner)?;
-                Ok(self.graph.abs(inner))
+                Ok(self.graph.call(*function, inner))
             }
             Expr::Extreme { largest, items } => {
                 let items = self.all(items)?;
@@ -204,13 +200,9 @@ impl<'a> Written<'a> {
                 let inner = self.text_value(inner, slots)?;
                 Ok(self.graph.neg(inner))
             }
-            Source::Sqrt(inner) => {
+            Source::Call(function, inner) => {
                 let inner = self.text_value(inner, slots)?;
-                Ok(self.graph.sqrt(inner))
-            }
-            Source::Abs(inner) => {
-                let inner = self.text_value(inner, slots)?;
-                Ok(self.graph.abs(inner))
+                Ok(self.graph.call(*function, inner))
             }
             Source::Binary { op, left, right } => {
                 let (left, right) = (self.text_value(left, slots)?, self.text_value(right, slots)?);

@@ -12,7 +12,7 @@ pub struct Cost {
     pub multiplications: usize,
     /// Divisions.
     pub divisions: usize,
-    /// Square roots.
+    /// Roots of numbers.
     pub roots: usize,
     /// Double-double operations.
     pub wide: usize,
@@ -27,9 +27,9 @@ pub fn cost(graph: &Graph, nodes: &[Node]) -> Cost {
             Op::Add(..) | Op::Sub(..) => cost.additions += 1,
             Op::Mul(..) => cost.multiplications += 1,
             Op::Div(..) => cost.divisions += 1,
-            Op::Sqrt(_) => cost.roots += 1,
+            Op::Call(function, _) if !function.is_exact() => cost.roots += 1,
             Op::Compensated(wide) | Op::Residual(wide) => cost.wide += operations(wide),
-            Op::Input(_) | Op::Literal(_) | Op::Pi | Op::Neg(_) | Op::Abs(_) | Op::If(..) => {}
+            Op::Input(_) | Op::Literal(_) | Op::Pi | Op::Neg(_) | Op::Call(..) | Op::If(..) => {}
             Op::Max(_) | Op::Min(_) | Op::PositiveRoot(_) => {}
         }
     }

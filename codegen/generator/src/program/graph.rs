@@ -1,80 +1,13 @@
 //! The graph of steps: equal steps are one node, and each knows its sign and a bound of its relative error.
 
+use super::constant::{beyond_literals, is_exact, is_power_of_two, leading_bits};
+use super::op::{Condition, Node, Op, Wide};
 use crate::field::Sign;
-use closedform_arith::{Relation, error_model};
-use num_bigint::BigInt;
+use closedform_arith::error_model;
+use closedform_syntax::Function;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::collections::HashMap;
-
-/// A node of a [`Graph`], by position; operands come before the nodes that use them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Node(pub usize);
-
-/// A condition on nodes.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Condition {
-    /// A node compared with another one.
-    Compare(Node, Relation, Node),
-    /// Both hold.
-    And(Box<Condition>, Box<Condition>),
-    /// One holds.
-    Or(Box<Condition>, Box<Condition>),
-    /// It does not hold.
-    Not(Box<Condition>),
-}
-
-/// A polynomial that is evaluated in double-double and rounded once.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Wide {
-    /// An operand that counts as exact.
-    Leaf(Node),
-    /// The negative.
-    Neg(Box<Wide>),
-    /// The sum.
-    Add(Box<Wide>, Box<Wide>),
-    /// The difference.
-    Sub(Box<Wide>, Box<Wide>),
-    /// The product.
-    Mul(Box<Wide>, Box<Wide>),
-}
-
-/// What a step does.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Op {
-    /// An input, by position.
-    Input(usize),
-    /// A constant that `f64` holds exactly.
-    Literal(BigRational),
-    /// The circle constant.
-    Pi,
-    /// The negative.
-    Neg(Node),
-    /// The sum.
-    Add(Node, Node),
-    /// The difference.
-    Sub(Node, Node),
-    /// The product.
-    Mul(Node, Node),
-    /// The quotient.
-    Div(Node, Node),
-    /// The square root.
-    Sqrt(Node),
-    /// The magnitude.
-    Abs(Node),
-    /// One of two values.
-    If(Condition, Node, Node),
-    /// The largest of some values.
-    Max(Vec<Node>),
-    /// The smallest of some values.
-    Min(Vec<Node>),
-    /// A polynomial that may cancel, to all digits.
-    Compensated(Wide),
-    /// A polynomial at an iterate of its root, in double-double.
-    Residual(Wide),
-    /// The one positive root of a polynomial, from its coefficients, lowest power first.
-    PositiveRoot(Vec<Node>),
-}
 
 #[derive(Clone, Debug)]
 struct Step {
@@ -95,9 +28,6 @@ pub struct Graph {
 
 /// What a rounding to nearest adds to a relative error, in units of 2^-53.
 const ROUNDING: f64 = error_model::ROUNDING.to_f64();
-
-/// The power of two by which an integer beyond all literals is divided.
-const STEP_OF_TWOS: usize = 512;
 
 /// How far a `compensated!` slice may be off, in units of 2^-53.
 const COMPENSATED: f64 = error_model::COMPENSATED.to_f64();
@@ -162,7 +92,7 @@ impl Graph {
     }
 
     fn push(&mut self, op: Op, sign: Sign, error: f64) -> Node {
-        let known = self.index.get(&op).or_else(|| self.index.get(&swapped(&op)?));
+        let known = self.index.get(&op).or_else(|| self.index.get(&op.swapped()?));
         if let Some(&node) = known {
             let step = &mut self.steps[node.0];
             step.sign = step.sign & sign;
@@ -289,6 +219,13 @@ impl Graph {
         self.push(Op::Sub(a, b), sign, error)
     }
 
+    /// The sum of two terms that the caller knows to have this sign, or to be zero.
+    pub fn add_of_one_sign(&mut self, a: Node, b: Node, sign: Sign) -> Node {
+        let node = self.add(a, b);
+        let error = self.error(a).max(self.error(b)) + ROUNDING;
+        self.with_error(node, sign, error)
+    }
+
     fn error_of_sum(&self, a: Node, b: Node, same_sign: bool) -> f64 {
         let worst = self.error(a).max(self.error(b));
         if worst == 0.0 || same_sign { worst + ROUNDING } else { f64::INFINITY }
@@ -350,20 +287,14 @@ impl Graph {
         }
     }
 
-    /// The square root.
-    pub fn sqrt(&mut self, a: Node) -> Node {
-        let sign = self.sign(a) & Sign::NONNEGATIVE;
-        let error = 0.5 * self.error(a) + ROUNDING;
-        self.push(Op::Sqrt(a), sign, error)
-    }
-
-    /// The magnitude, without a step where the sign is known.
-    pub fn abs(&mut self, a: Node) -> Node {
-        match self.sign(a) {
-            sign if sign.is(Sign::NONNEGATIVE) => a,
-            sign if sign.is(Sign::NONPOSITIVE) => self.neg(a),
-            sign => self.push(Op::Abs(a), sign.power(2), self.error(a)),
+    /// A function, without a step where the value is the argument but for a sign that is known.
+    pub fn call(&mut self, function: Function, a: Node) -> Node {
+        let sign = self.sign(a).called(function);
+        if function.is_exact() && (sign == self.sign(a) || sign == -self.sign(a)) && sign.is_definite() {
+            return if sign == self.sign(a) { a } else { self.neg(a) };
         }
+        let error = function.carried(self.error(a)) + function.properties().error.to_f64();
+        self.push(Op::Call(function, a), sign, error)
     }
 
     /// One of two values.
@@ -428,86 +359,6 @@ impl Graph {
     /// The operands of a node, in order.
     #[must_use]
     pub fn operands(&self, node: Node) -> Vec<Node> {
-        match self.op(node) {
-            Op::Input(_) | Op::Literal(_) | Op::Pi => Vec::new(),
-            Op::Neg(a) | Op::Sqrt(a) | Op::Abs(a) => vec![*a],
-            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) => vec![*a, *b],
-            Op::If(condition, a, b) => {
-                let mut nodes = condition.nodes();
-                nodes.extend([*a, *b]);
-                nodes
-            }
-            Op::Compensated(wide) | Op::Residual(wide) => wide.leaves(),
-            Op::Max(nodes) | Op::Min(nodes) | Op::PositiveRoot(nodes) => nodes.clone(),
-        }
+        self.op(node).operands()
     }
-}
-
-/// A sum or product in the other order, which has the same bits.
-fn swapped(op: &Op) -> Option<Op> {
-    match *op {
-        Op::Add(a, b) => Some(Op::Add(b, a)),
-        Op::Mul(a, b) => Some(Op::Mul(b, a)),
-        _ => None,
-    }
-}
-
-impl Condition {
-    /// The nodes that are compared.
-    #[must_use]
-    pub fn nodes(&self) -> Vec<Node> {
-        match self {
-            Self::Compare(a, _, b) => vec![*a, *b],
-            Self::And(a, b) | Self::Or(a, b) => [a.nodes(), b.nodes()].concat(),
-            Self::Not(a) => a.nodes(),
-        }
-    }
-}
-
-impl Wide {
-    /// The operands.
-    #[must_use]
-    pub fn leaves(&self) -> Vec<Node> {
-        match self {
-            Self::Leaf(node) => vec![*node],
-            Self::Neg(a) => a.leaves(),
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) => [a.leaves(), b.leaves()].concat(),
-        }
-    }
-}
-
-/// Whether `f64` holds the number exactly, well inside its range.
-#[must_use]
-pub fn is_exact(value: &BigRational) -> bool {
-    let bits = value.numer().bits();
-    let trailing = value.numer().trailing_zeros().unwrap_or(0);
-    is_power_of_two(&BigRational::from_integer(value.denom().clone()))
-        && bits - trailing <= 53
-        && bits <= 1_024
-        && value.denom().bits() <= 1_023
-}
-
-/// The leading 53 bits of an integer, so that the rest has its sign; `None` beyond all literals.
-#[must_use]
-pub fn leading_bits(value: &BigRational) -> Option<BigRational> {
-    let integer = value.to_integer();
-    let less = integer.bits().saturating_sub(53) as usize;
-    let leading = BigRational::from_integer((integer.abs() >> less << less) * integer.signum());
-    Some(leading).filter(is_exact)
-}
-
-/// An integer beyond all literals as `step*high + rest`, with a power of two for a step.
-#[must_use]
-pub fn beyond_literals(value: &BigRational) -> (BigRational, BigRational, BigRational) {
-    let step = BigRational::from_integer(BigInt::one() << STEP_OF_TWOS);
-    let high = (value / &step).trunc();
-    let rest = value - &high * &step;
-    (step, high, rest)
-}
-
-/// Whether the number is a power of two, or the negative of one.
-#[must_use]
-pub fn is_power_of_two(value: &BigRational) -> bool {
-    let single_bit = |n: &num_bigint::BigInt| n.abs().magnitude().count_ones() == 1;
-    !value.is_zero() && single_bit(value.numer()) && single_bit(value.denom())
 }

@@ -70,7 +70,8 @@ fn deserves_name(graph: &Graph, node: Node, uses: usize, outputs: &[Node]) -> bo
     let only_result = uses == 1 && outputs.contains(&node);
     match graph.op(node) {
         Op::Input(_) | Op::Literal(_) | Op::Pi | Op::Neg(_) => false,
-        Op::Sqrt(_) | Op::If(..) | Op::Compensated(_) | Op::Residual(_) | Op::PositiveRoot(_) => !only_result,
+        Op::Call(function, _) if !function.is_exact() => !only_result,
+        Op::If(..) | Op::Compensated(_) | Op::Residual(_) | Op::PositiveRoot(_) => !only_result,
         _ => uses > 1,
     }
 }
@@ -82,8 +83,7 @@ fn stem(graph: &Graph, node: Node) -> &'static str {
         Op::Sub(..) => "difference",
         Op::Mul(..) => "product",
         Op::Div(..) => "quotient",
-        Op::Sqrt(_) => "root",
-        Op::Abs(_) => "magnitude",
+        Op::Call(function, _) => last_word(function.properties().noun),
         Op::If(..) => "chosen",
         Op::Compensated(_) if graph.is_fused(node) => "polynomial",
         Op::Compensated(_) => "cancelling",
@@ -92,6 +92,11 @@ fn stem(graph: &Graph, node: Node) -> &'static str {
         Op::Min(_) => "smallest",
         Op::PositiveRoot(_) => "start",
     }
+}
+
+/// The word that says what something is: of a square root, that it is a root.
+fn last_word(noun: &'static str) -> &'static str {
+    noun.rsplit(' ').next().unwrap_or(noun)
 }
 
 /// Names that are neither inputs nor given out before.

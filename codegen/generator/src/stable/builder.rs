@@ -6,6 +6,7 @@ use super::surd::Surd;
 use crate::algebra::{Polynomial, Var};
 use crate::field::{Element, Tower, TowerError};
 use crate::program::{Graph, Node};
+use closedform_syntax::Function;
 use num_rational::BigRational;
 use num_traits::Zero;
 use std::collections::{BTreeMap, HashMap};
@@ -30,6 +31,8 @@ pub struct AllForms {
     pub polynomials: Forms<Polynomial>,
     /// Of sums with a square root, times a quotient.
     pub surds: Forms<Surd>,
+    /// Of sums with a cube root, times a quotient.
+    pub cubics: Forms<Surd>,
     /// Of quotients.
     pub quotients: Forms<Quotient>,
 }
@@ -112,17 +115,23 @@ impl Builder {
         let radical = radical.ok_or(TowerError::TooManyRadicals)?;
         let node = match self.tower.magnitude_of(&radical) {
             Some(inside) => {
-                let inside = self.polynomial(&inside)?;
-                self.graph.abs(inside)
+                let inside = self.value(&inside)?;
+                self.graph.call(Function::Abs, inside)
             }
             None => {
                 let radicand = self.tower.element(&radical.radicand);
                 let inside = self.element(&radicand)?;
-                self.graph.sqrt(inside)
+                self.root(radical.degree, inside)
             }
         };
         self.stand_ins.insert(var, node);
         Ok(node)
+    }
+
+    /// The root of a step.
+    pub fn root(&mut self, degree: u32, inside: Node) -> Node {
+        let function = Function::root(degree).expect("the degree of a radical is that of a function");
+        self.graph.call(function, inside)
     }
 
     /// The steps of an element.
@@ -163,12 +172,13 @@ impl Builder {
         self.surd(&Surd::new(primitive, radical, quotient))
     }
 
-    /// The steps of a sum with a square root, times a quotient.
+    /// The steps of a sum with a root, times a quotient.
     ///
     /// # Errors
     /// When the tower has no room left.
     pub fn surd(&mut self, surd: &Surd) -> Result<Node, TowerError> {
-        self.forms.surds.steps(self, surd)
+        let forms = if surd.radical.degree == 3 { &self.forms.cubics } else { &self.forms.surds };
+        forms.steps(self, surd)
     }
 
     /// The steps of a quotient.

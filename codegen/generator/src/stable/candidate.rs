@@ -67,11 +67,11 @@ fn error_of_step(graph: &Graph, node: Node, known: &mut HashMap<Node, f64>) -> f
     let error = match graph.op(node) {
         Op::Input(_) | Op::Literal(_) => graph.error(node),
         Op::Pi => STEP,
-        Op::Neg(a) | Op::Abs(a) => of(*a),
+        Op::Neg(a) => of(*a),
         // the sum of what `f64` adds without cancellation does not cancel here either
         Op::Add(a, b) | Op::Sub(a, b) => of(*a).max(of(*b)) + STEP,
         Op::Mul(a, b) | Op::Div(a, b) => of(*a) + of(*b) + STEP,
-        Op::Sqrt(a) => 0.5 * of(*a) + STEP,
+        Op::Call(function, a) => function.carried(of(*a)) + if function.is_exact() { 0.0 } else { STEP },
         Op::If(_, a, b) => of(*a).max(of(*b)),
         Op::Max(items) | Op::Min(items) => items.iter().map(|&item| of(item)).fold(0.0, f64::max),
         Op::Compensated(_) => COMPENSATED,

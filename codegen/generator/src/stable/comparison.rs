@@ -6,10 +6,12 @@ use closedform_arith::Relation;
 use num_rational::BigRational;
 use num_traits::Zero;
 
-/// The condition that a step has a sign relation to zero; constant factors of the step do not matter.
+/// The condition that a step has a sign relation to zero; constant factors of the step and odd functions do not matter.
 pub fn compared_with_zero(graph: &mut Graph, node: Node, order: Relation) -> Condition {
     let (inner, mirrored) = match *graph.op(node) {
         Op::Neg(a) => (a, true),
+        // an odd function has the sign of its argument
+        Op::Call(function, a) if function.is_odd() => (a, false),
         Op::Mul(a, b) if has_one_sign(graph, a) => (b, graph.sign(a).is(Sign::NEGATIVE)),
         Op::Mul(a, b) if has_one_sign(graph, b) => (a, graph.sign(b).is(Sign::NEGATIVE)),
         _ => {

@@ -11,8 +11,8 @@ use super::builder::{AllForms, Builder, Form, Forms};
 use super::candidate::Candidate;
 use super::forms::through_result::{Earlier, Later};
 use super::forms::{
-    certified, compensated, conjugate, differences_first, divided, factored, known_sum, merge_roots, plain,
-    same_sign_radicand, sign_branch, sum, through_result,
+    certified, compensated, conjugate, cube_conjugate, cube_quotient, cubic, differences_first, divided, factored,
+    known_sum, merge_cubes, merge_roots, plain, same_sign_radicand, sign_branch, sum, through_result,
 };
 use super::passes::double_double::{self, DoubleDouble};
 use super::passes::gathered::{self, Gathered};
@@ -24,10 +24,12 @@ use crate::field::{Element, Tower, TowerError};
 use crate::program::{Graph, Node};
 
 /// Every rule, in alphabetical order.
-pub const ALL: [&Rule; 15] = [
+pub const ALL: [&Rule; 18] = [
     &certified::RULE,
     &compensated::RULE,
     &conjugate::RULE,
+    &cube_conjugate::RULE,
+    &cube_quotient::RULE,
     &differences_first::RULE,
     &distributed::RULE,
     &double_double::RULE,
@@ -35,6 +37,7 @@ pub const ALL: [&Rule; 15] = [
     &falling_newton::RULE,
     &gathered::RULE,
     &known_sum::RULE,
+    &merge_cubes::RULE,
     &merge_roots::RULE,
     &one_reciprocal::RULE,
     &same_sign_radicand::RULE,
@@ -46,8 +49,12 @@ pub const ALL: [&Rule; 15] = [
 const FORMS: &AllForms = &AllForms {
     polynomials: Forms { tried: &[plain::steps, differences_first::steps, known_sum::steps], last: compensated::steps },
     surds: Forms {
-        tried: &[merge_roots::steps, same_sign_radicand::steps, sum::steps, conjugate::steps],
+        tried: &[merge_cubes::steps, merge_roots::steps, same_sign_radicand::steps, sum::steps, conjugate::steps],
         last: sign_branch::steps,
+    },
+    cubics: Forms {
+        tried: &[merge_cubes::steps, merge_roots::steps, cubic::steps, cube_conjugate::steps, cube_quotient::steps],
+        last: sign_branch::of_cubes,
     },
     quotients: Forms { tried: &[factored::steps], last: divided::steps },
 };
@@ -143,7 +150,7 @@ mod tests {
     use super::*;
     use crate::field::Sign;
     use crate::program::{Op, reached};
-    use closedform_syntax::Precision;
+    use closedform_syntax::{Function, Precision};
 
     /// A graph with so many positive inputs.
     fn inputs<const N: usize>() -> (Graph, [Node; N]) {
@@ -213,7 +220,7 @@ mod tests {
     #[test]
     fn a_factor_goes_into_a_sum_where_that_saves_roundings() {
         let (mut graph, [p, q, r, s]) = inputs::<4>();
-        let root = graph.sqrt(r);
+        let root = graph.call(Function::Sqrt, r);
         let term = graph.mul(q, root);
         let sum = graph.add(term, s);
         let squares = product(&mut graph, &[p, p, p, p]);
@@ -240,7 +247,7 @@ mod tests {
     #[test]
     fn what_cannot_be_gathered_is_taken_in_double_double() {
         let (mut graph, factors) = inputs::<4>();
-        let roots = factors.map(|factor| graph.sqrt(factor));
+        let roots = factors.map(|factor| graph.call(Function::Sqrt, factor));
         let product = product(&mut graph, &roots);
         let made = finished(graph, vec![product], NOTHING);
         assert_eq!((&made.outputs, made.precision), (&vec![product], Precision::DoubleDouble));
@@ -252,7 +259,7 @@ mod tests {
     fn an_error_without_a_bound_is_none_in_double_double_either() {
         let (mut graph, [x, y]) = inputs::<2>();
         let difference = graph.sub(x, y);
-        let root = graph.sqrt(difference);
+        let root = graph.call(Function::Sqrt, difference);
         let iterated = graph.positive_root(vec![root], f64::INFINITY);
         let made = finished(graph, vec![iterated], NOTHING);
         assert_eq!((made.precision, made.worst_error()), (Precision::Double, f64::INFINITY));
@@ -264,7 +271,7 @@ mod tests {
         let (sum, product) = (graph.add(x, y), graph.mul(x, y));
         graph.mark(sum, "factored");
         graph.mark(product, "conjugate");
-        let root = graph.sqrt(sum);
+        let root = graph.call(Function::Sqrt, sum);
         let made = Candidate::new(graph, vec![root]);
         assert_eq!(Vec::from_iter(made.rules(&[])), ["factored"]);
         assert_eq!(Vec::from_iter(made.rules(&[product])), ["conjugate", "factored"]);

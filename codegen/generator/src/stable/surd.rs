@@ -1,15 +1,15 @@
-//! Surds: sums with a square root, times a quotient, as forms get them.
+//! Surds: sums with a root, times a quotient, as forms get them.
 
 use super::quotient::Quotient;
 use crate::algebra::Polynomial;
-use crate::field::{Radical, Sign, Tower, parts};
+use crate::field::{Radical, Sign, Tower, parts, powers};
 use std::cell::OnceCell;
 
-/// A sum `a + b*sqrt(r)` times a quotient.
+/// A sum `a + b*sqrt(r)` times a quotient; or with a cube root t, `a + b*t + c*t^2`.
 pub struct Surd {
     /// The sum, whose terms have no factor in common.
     pub sum: Polynomial,
-    /// The square root: of highest level among those of the sum.
+    /// The root: of highest level among those of the sum.
     pub radical: Radical,
     /// The quotient.
     pub quotient: Quotient,
@@ -23,7 +23,15 @@ impl Surd {
         Self { sum, radical, quotient, signs: OnceCell::new() }
     }
 
-    /// `a` and `b`.
+    /// The terms `a`, `b*t` and `c*t^2` of a sum with a cube root t, but for those that are zero.
+    #[must_use]
+    pub fn cubic_terms(&self) -> Vec<Polynomial> {
+        let root = self.sum.ring().variable(self.radical.var);
+        let terms = (0..).zip(powers(&self.sum, &self.radical)).map(|(power, part)| part.times(&root.power(power)));
+        terms.filter(|term| !term.is_zero()).collect()
+    }
+
+    /// `a` and `b` of a sum with a square root.
     #[must_use]
     pub fn parts(&self) -> (Polynomial, Polynomial) {
         parts(&self.sum, self.radical.var)

@@ -3,6 +3,7 @@
 use super::values::{BITS, cases, float};
 use closedform_generator::field::Sign;
 use closedform_generator::program::{Graph, Node, Op, Wide};
+use closedform_syntax::Function;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 use proptest::collection::vec;
@@ -36,9 +37,9 @@ fn made(graph: &mut Graph, kind: u8, a: Node, b: Node, number: usize) -> Node {
         1 => graph.sub(a, b),
         2 | 3 => graph.mul(a, b),
         4 if sign_of_b.is(Sign::NONZERO) => graph.div(a, b),
-        5 if sign_of_a.is(Sign::NONNEGATIVE) => graph.sqrt(a),
+        5 if sign_of_a.is(Sign::NONNEGATIVE) => graph.call(Function::Sqrt, a),
         6 => graph.neg(a),
-        7 => graph.abs(a),
+        7 => graph.call(Function::Abs, a),
         8 => graph.constant(&BigRational::new(((number % 41) as i64 - 20).into(), (number % 7 + 1).into())),
         9 => {
             let wide = Wide::Sub(Wide::Mul(Wide::Leaf(a).into(), Wide::Leaf(a).into()).into(), Wide::Leaf(b).into());
@@ -70,8 +71,8 @@ impl Number for f64 {
             Op::Sub(..) => x[0] - x[1],
             Op::Mul(..) => x[0] * x[1],
             Op::Div(..) => x[0] / x[1],
-            Op::Sqrt(_) => x[0].sqrt(),
-            Op::Abs(_) => x[0].abs(),
+            Op::Call(Function::Sqrt, _) => x[0].sqrt(),
+            Op::Call(Function::Abs, _) => x[0].abs(),
             Op::Max(_) => x.iter().copied().fold(f64::NEG_INFINITY, f64::max),
             _ => panic!("{op:?}"),
         }
@@ -99,8 +100,8 @@ impl Number for Float {
             Op::Sub(..) => of(0) - of(1),
             Op::Mul(..) => of(0) * of(1),
             Op::Div(..) => of(0) / of(1),
-            Op::Sqrt(_) => of(0).sqrt(),
-            Op::Abs(_) => of(0).abs(),
+            Op::Call(Function::Sqrt, _) => of(0).sqrt(),
+            Op::Call(Function::Abs, _) => of(0).abs(),
             Op::Max(_) => x.iter().cloned().reduce(|a, b| a.max(&b)).unwrap(),
             _ => panic!("{op:?}"),
         }

@@ -4,6 +4,7 @@ use super::graphs::{INPUTS, graph, steps};
 use super::values::cases;
 use closedform_generator::field::Sign;
 use closedform_generator::program::{Graph, Node, Op, name_steps};
+use closedform_syntax::Function;
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -52,7 +53,7 @@ fn names_say_what_a_step_is() {
     let mut graph = Graph::default();
     let [x, y] = [0, 1].map(|index| graph.input(index, Sign::POSITIVE));
     let sum = graph.add(x, y);
-    let root = graph.sqrt(sum);
+    let root = graph.call(Function::Sqrt, sum);
     let product = graph.mul(root, sum);
     let program = name_steps(&graph, &[product], &["sum".to_owned()]);
     assert_eq!(program.name_of(sum), Some("sum2"));

@@ -68,7 +68,7 @@ impl<'k> Beside<'k> {
             (Op::Literal(value), expr) => number(expr).as_ref() == Some(value),
             (Op::Pi, Expr::Pi(_)) => true,
             (Op::Neg(a), Expr::Neg(inner)) => self.same(*a, inner),
-            (Op::Sqrt(a), Expr::Sqrt(inner)) | (Op::Abs(a), Expr::Abs(inner)) => self.same(*a, inner),
+            (Op::Call(f, a), Expr::Call(g, inner)) => f == g && self.same(*a, inner),
             (op, Expr::Binary { op: found, left, right }) => {
                 operands(op, *found).is_some_and(|[a, b]| self.same(a, left) && self.same(b, right))
             }

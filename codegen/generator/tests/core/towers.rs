@@ -4,6 +4,7 @@ use super::values::{ALGEBRA, BITS, agree, cases, float, positive_point, real_val
 use closedform_generator::algebra::Var;
 use closedform_generator::field::{Element, Sign, Tower};
 use closedform_project::expression::Expr;
+use closedform_syntax::Function;
 use num_rational::BigRational;
 use proptest::prelude::*;
 use rug::Float;
@@ -30,7 +31,8 @@ fn positive(depth: u32) -> BoxedStrategy<Expr> {
             two.clone().prop_map(|(a, b)| a.times(b)),
             two.prop_map(|(a, b)| a.over(b)),
             inner.clone().prop_map(|a| Expr::Power(Box::new(a), 2)),
-            inner.prop_map(|a| Expr::Sqrt(Box::new(a))),
+            (inner, prop::sample::select(&[Function::Sqrt, Function::Cbrt][..]))
+                .prop_map(|(a, root)| Expr::call(root, a)),
         ]
     })
     .boxed()
@@ -55,10 +57,16 @@ fn rewritten(expr: &Expr) -> Expr {
         Expr::Power(base, 2) => rewritten(base).times(rewritten(base)),
         Expr::Power(base, exponent) => Expr::Power(Box::new(rewritten(base)), *exponent),
         // sqrt(a) = sqrt(4*a*y^2)/(2*y)
-        Expr::Sqrt(base) => {
+        Expr::Call(Function::Sqrt, base) => {
             let double = Expr::integer(2).times(Expr::symbol("y"));
             let inside = rewritten(base).times(Expr::Power(Box::new(double.clone()), 2));
-            Expr::Sqrt(Box::new(inside)).over(double)
+            Expr::call(Function::Sqrt, inside).over(double)
+        }
+        // cbrt(a) = -cbrt(-a*y^3)/y
+        Expr::Call(Function::Cbrt, base) => {
+            let y = Expr::symbol("y");
+            let inside = rewritten(base).times(Expr::Power(Box::new(y.clone()), 3)).negated();
+            Expr::call(Function::Cbrt, inside).negated().over(y)
         }
         other => other.clone(),
     }
@@ -72,8 +80,11 @@ fn value_of(expr: &Expr, point: &[BigRational]) -> Float {
         Expr::Sum(items) => items.iter().map(of).fold(Float::new(BITS), |sum, item| sum + item),
         Expr::Product(items) => items.iter().map(of).fold(Float::with_val(BITS, 1), |product, item| product * item),
         Expr::Power(base, exponent) => of(base).pow(*exponent),
-        Expr::Sqrt(base) => of(base).sqrt(),
-        Expr::Abs(base) => of(base).abs(),
+        Expr::Call(function, base) => {
+            let mut value = of(base);
+            function.mpfr(&mut value);
+            value
+        }
         _ => panic!("{expr:?} stands alone"),
     }
 }
@@ -83,7 +94,7 @@ fn value_of_element(tower: &Tower, element: &Element, point: &[BigRational]) -> 
     let mut values: Vec<(Var, Float)> = point.iter().enumerate().map(|(at, value)| (Var(at), float(value))).collect();
     for radical in tower.radicals() {
         let inside = real_value(&radical.radicand, |var| lookup(&values, var));
-        values.push((radical.var, inside.sqrt()));
+        values.push((radical.var, inside.root(radical.degree)));
     }
     real_value(&element.numerator, |var| lookup(&values, var))
         / real_value(&element.denominator, |var| lookup(&values, var))
@@ -137,6 +148,16 @@ fn roots_of_squares_and_products_of_roots_are_seen() {
         ("1/(sqrt(x)+sqrt(y))", "(sqrt(x)-sqrt(y))/(x-y)"),
         ("sqrt(x/y)", "sqrt(x*y)/y"),
         ("abs(x-y)^2", "(x-y)^2"),
+        ("(x-y)^(1/3)", "-(y-x)^(1/3)"),
+        ("(x*y)^(1/3)", "x^(1/3)*y^(1/3)"),
+        ("(x/y)^(2/3)", "(x^2*y)^(1/3)/y"),
+        ("(54*x^4)^(1/3)", "3*x*2^(1/3)*x^(1/3)"),
+        ("(2/9)^(1/3)", "6^(1/3)/3"),
+        ("(x^2-2*x*y+y^2)^(1/3)", "(x-y)^(2/3)"),
+        ("1/(x^(1/3)-y^(1/3))", "(x^(2/3)+(x*y)^(1/3)+y^(2/3))/(x-y)"),
+        ("1/(1+x^(1/3)+x^(2/3))", "(x^(1/3)-1)/(x-1)"),
+        ("1/((x+sqrt(y))^(1/3)-1)", "((x+sqrt(y))^(2/3)+(x+sqrt(y))^(1/3)+1)/(x+sqrt(y)-1)"),
+        ("(x^(1/3)+y^(1/3))^3", "x+y+3*(x*y)^(1/3)*(x^(1/3)+y^(1/3))"),
     ] {
         let mut tower = tower();
         let one_form = form(&mut tower, one).unwrap();

@@ -1,7 +1,7 @@
-//! Functions: roots dropped, turned and added, magnitudes dropped, the smallest for the largest, coefficients of a root's
+//! Functions: dropped, turned, added and taken for each other, the smallest for the largest, coefficients of a root's
 //! polynomial left out.
 
-use closedform_syntax::Expr;
+use closedform_syntax::{Expr, Function};
 
 use super::coefficient::literal;
 use super::operator::negated;
@@ -11,19 +11,34 @@ use crate::mistake::Wrong;
 /// What may stand for a function, and a function for a name.
 pub fn mutations(expr: &Expr, place: Place) -> Vec<Wrong<Expr>> {
     match expr {
-        Expr::Sqrt(inner) => {
-            vec![Wrong::new("root dropped", (**inner).clone()), Wrong::new("root negated", negated(expr))]
-        }
-        Expr::Abs(inner) => {
-            vec![Wrong::new("magnitude dropped", (**inner).clone()), Wrong::new("magnitude negated", negated(expr))]
-        }
+        Expr::Call(function, inner) => calls(expr, *function, inner),
         Expr::Name(_) if place == Place::Plain => {
-            vec![Wrong::new("name as its root", Expr::Sqrt(expr.clone().into()))]
+            vec![Wrong::new("name as its root", root(expr))]
         }
         Expr::Extreme { largest, items } => extremes(*largest, items),
         Expr::PositiveRoot(coefficients) => left_out(coefficients),
         _ => Vec::new(),
     }
+}
+
+/// The square root of a value.
+pub fn root(value: &Expr) -> Expr {
+    Expr::Call(Function::Sqrt, value.clone().into())
+}
+
+/// The argument alone, the negative value, and every other function of the argument.
+fn calls(call: &Expr, function: Function, argument: &Expr) -> Vec<Wrong<Expr>> {
+    let what = if function.degree().is_some() { "root" } else { function.properties().noun };
+    let mut found = vec![
+        Wrong::new(format!("{what} dropped"), argument.clone()),
+        Wrong::new(format!("{what} negated"), negated(call)),
+    ];
+    let others = Function::ALL.into_iter().filter(|other| *other != function);
+    found.extend(others.map(|other| {
+        let kind = format!("{} as {}", function.name(), other.name());
+        Wrong::new(kind, Expr::Call(other, argument.clone().into()))
+    }));
+    found
 }
 
 /// The other extreme, each item alone, and the extreme without one.

@@ -95,7 +95,7 @@ fn of_part(kernel: &Kernel, part: Part, walk: &Walk) -> Vec<Mutant> {
 fn statement(value: &Expr, walk: &Walk) -> Vec<Wrong<Expr>> {
     let mut values = walk.expression(value, Place::Plain);
     values.push(Wrong::new("value negated", operator::negated(value)));
-    values.push(Wrong::new("value as its root", Expr::Sqrt(value.clone().into())));
+    values.push(Wrong::new("value as its root", function::root(value)));
     values
 }
 

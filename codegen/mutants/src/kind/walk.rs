@@ -1,6 +1,6 @@
 //! The walk over a tree: each expression or condition in it replaced, all others as they were.
 
-use closedform_syntax::{Condition, Expr, Slice};
+use closedform_syntax::{Condition, Expr};
 
 use super::{branch, condition};
 use crate::mistake::Wrong;
@@ -31,36 +31,24 @@ impl Walk<'_> {
     }
 
     fn inside(&self, expr: &Expr, place: Place) -> Vec<Wrong<Expr>> {
-        let wrapped = |inner: &Expr, place: Place, wrap: fn(Box<Expr>) -> Expr| -> Vec<Wrong<Expr>> {
-            { self.expression(inner, place).into_iter() }.map(|wrong| wrong.map(|inner| wrap(inner.into()))).collect()
+        let place = match expr {
+            Expr::If { condition, then, otherwise } => return self.choice(condition, then, otherwise),
+            Expr::Residual(_) | Expr::Compensated(_) => Place::Slice,
+            Expr::Extreme { .. } | Expr::PositiveRoot(_) => Place::Plain,
+            _ => place,
         };
-        match expr {
-            Expr::Literal { .. } | Expr::Name(_) | Expr::Pi(_) => Vec::new(),
-            Expr::Neg(inner) => wrapped(inner, place, Expr::Neg),
-            Expr::Sqrt(inner) => wrapped(inner, place, Expr::Sqrt),
-            Expr::Abs(inner) => wrapped(inner, place, Expr::Abs),
-            Expr::Residual(inner) => wrapped(inner, Place::Slice, Expr::Residual),
-            Expr::Compensated(slice) => {
-                let values = self.expression(&slice.value, Place::Slice).into_iter();
-                let slice = |value| Slice::new(value).ok().map(Expr::Compensated);
-                values.filter_map(|wrong| wrong.filter_map(slice)).collect()
-            }
-            Expr::Binary { op, left, right } => {
-                let lefts = self.expression(left, place).into_iter();
-                let of_left = |left: Expr| Expr::Binary { op: *op, left: left.into(), right: right.clone() };
-                let rights = self.expression(right, place).into_iter();
-                let of_right = |right: Expr| Expr::Binary { op: *op, left: left.clone(), right: right.into() };
-                lefts.map(|wrong| wrong.map(of_left)).chain(rights.map(|wrong| wrong.map(of_right))).collect()
-            }
-            Expr::If { condition, then, otherwise } => self.choice(condition, then, otherwise),
-            Expr::Extreme { largest, items } => {
-                let extreme = |items| Expr::Extreme { largest: *largest, items };
-                self.one_of(items).into_iter().map(|wrong| wrong.map(extreme)).collect()
-            }
-            Expr::PositiveRoot(coefficients) => {
-                self.one_of(coefficients).into_iter().map(|wrong| wrong.map(Expr::PositiveRoot)).collect()
-            }
-        }
+        let children = expr.children();
+        let with = |at: usize, child: Expr| {
+            let mut all: Vec<Expr> = children.iter().copied().cloned().collect();
+            all[at] = child;
+            expr.with_children(all)
+        };
+        let each = children.iter().enumerate();
+        each.flat_map(|(at, child)| {
+            let values = self.expression(child, place).into_iter();
+            values.filter_map(move |wrong| wrong.filter_map(|value| with(at, value))).collect::<Vec<_>>()
+        })
+        .collect()
     }
 
     fn choice(&self, condition: &Condition, then: &Expr, otherwise: &Expr) -> Vec<Wrong<Expr>> {
@@ -73,20 +61,5 @@ impl Walk<'_> {
         let others =
             others.map(|wrong| wrong.map(|otherwise| branch::choice(condition.clone(), then.clone(), otherwise)));
         conditions.chain(thens).chain(others).collect()
-    }
-
-    /// The list with one mutation, in one of its expressions.
-    fn one_of(&self, list: &[Expr]) -> Vec<Wrong<Vec<Expr>>> {
-        let replaced = |at: usize, value: Expr| {
-            let mut list = list.to_vec();
-            list[at] = value;
-            list
-        };
-        let each = list.iter().enumerate();
-        each.flat_map(|(at, expr)| {
-            let values = self.expression(expr, Place::Plain).into_iter();
-            values.map(move |wrong| wrong.map(|value| replaced(at, value)))
-        })
-        .collect()
     }
 }

@@ -1,6 +1,6 @@
 //! Mistakes of a whole kernel: inputs of one unit swapped, results swapped, bounds lowered.
 
-use closedform_syntax::{Condition, Expr, Kernel, Output, Slice};
+use closedform_syntax::{Expr, Kernel, Output};
 
 use super::{Mutant, with};
 use crate::mistake::{Mistake, Nth};
@@ -88,45 +88,14 @@ impl Swap {
         Some(kernel)
     }
 
-    fn condition(&self, condition: &Condition) -> Option<Condition> {
-        let boxed = |inner: &Condition| self.condition(inner).map(Box::new);
-        Some(match condition {
-            Condition::Compare { op, left, right } => {
-                Condition::Compare { op: *op, left: self.expression(left)?, right: self.expression(right)? }
-            }
-            Condition::Not(inner) => Condition::Not(boxed(inner)?),
-            Condition::And(left, right) => Condition::And(boxed(left)?, boxed(right)?),
-            Condition::Or(left, right) => Condition::Or(boxed(left)?, boxed(right)?),
-        })
-    }
-
     fn expression(&self, expr: &Expr) -> Option<Expr> {
-        let boxed = |inner: &Expr| self.expression(inner).map(Box::new);
-        Some(match expr {
-            Expr::Literal { .. } | Expr::Pi(_) => expr.clone(),
-            Expr::Name(name) => {
-                let mut name = name.clone();
-                name.slot = self.slot(name.slot);
-                Expr::Name(name)
-            }
-            Expr::Neg(inner) => Expr::Neg(boxed(inner)?),
-            Expr::Sqrt(inner) => Expr::Sqrt(boxed(inner)?),
-            Expr::Abs(inner) => Expr::Abs(boxed(inner)?),
-            Expr::Residual(inner) => Expr::Residual(boxed(inner)?),
-            Expr::Compensated(slice) => Expr::Compensated(Slice::new(self.expression(&slice.value)?).ok()?),
-            Expr::Binary { op, left, right } => Expr::Binary { op: *op, left: boxed(left)?, right: boxed(right)? },
-            Expr::If { condition, then, otherwise } => Expr::If {
-                condition: self.condition(condition)?.into(),
-                then: boxed(then)?,
-                otherwise: boxed(otherwise)?,
-            },
-            Expr::Extreme { largest, items } => Expr::Extreme { largest: *largest, items: self.all(items)? },
-            Expr::PositiveRoot(coefficients) => Expr::PositiveRoot(self.all(coefficients)?),
-        })
-    }
-
-    fn all(&self, list: &[Expr]) -> Option<Vec<Expr>> {
-        list.iter().map(|expr| self.expression(expr)).collect()
+        if let Expr::Name(name) = expr {
+            let mut name = name.clone();
+            name.slot = self.slot(name.slot);
+            return Some(Expr::Name(name));
+        }
+        let children = expr.children().into_iter().map(|child| self.expression(child)).collect::<Option<_>>()?;
+        expr.with_children(children)
     }
 
     fn slot(&self, slot: usize) -> usize {

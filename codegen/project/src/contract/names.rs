@@ -1,5 +1,6 @@
 //! Names that generated Rust can carry.
 
+use closedform_syntax::Function;
 use thiserror::Error;
 
 /// Every keyword of edition 2024, strict and reserved.
@@ -10,9 +11,8 @@ const KEYWORDS: &[&str] = &[
     "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-/// Names that mean something in the kernel language, in what `#[kernel]` makes of it, or to every Rust program.
+/// Names that mean something in the kernel language, besides functions of the table, in what `#[kernel]` makes of it, or to every Rust program.
 const TAKEN: &[&str] = &[
-    "abs",
     "alloc",
     "batch",
     "bool",
@@ -39,7 +39,6 @@ const TAKEN: &[&str] = &[
     "positive_root",
     "require",
     "residual",
-    "sqrt",
     "std",
     "str",
     "u128",
@@ -97,7 +96,7 @@ pub fn rust_name(name: &str) -> Result<(), RustNameError> {
         Err(RustNameError::NotSnakeCase)
     } else if KEYWORDS.contains(&name) {
         Err(RustNameError::Keyword)
-    } else if TAKEN.contains(&name) {
+    } else if TAKEN.contains(&name) || Function::named(name).is_some() {
         Err(RustNameError::Taken)
     } else {
         Ok(())

@@ -3,6 +3,7 @@
 use super::Expr;
 use closedform_maxima::ast::{BinaryOperator, Expr as Ast, ExprKind, UnaryOperator};
 use closedform_maxima::{Relation, exact};
+use closedform_syntax::Function;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 use std::ops::Range;
@@ -143,17 +144,19 @@ fn power(base: &Ast, exponent: &Ast, ast: &Ast) -> Result<Expr, LowerError> {
             Err(unsupported(ast, "0^0", "it has no value, in Maxima either: say which one is meant"))
         }
         (Some(n), Some(1)) => Ok(integer_power(base, n as i32)),
-        (Some(n), Some(2)) => {
-            let root = root(base.clone(), ast)?;
-            let whole = n.div_euclid(2);
+        (Some(n), Some(degree)) if let Some(root) = root(degree) => {
+            // an even root comes with a power of what stands under it, so that it stands above the bar
+            let whole = if degree % 2 == 0 { n.div_euclid(degree) } else { n / degree };
+            let root = integer_power(called(root, base.clone(), ast)?, (n - degree * whole) as i32);
             Ok(if whole == 0 { root } else { integer_power(base, whole as i32).times(root) })
         }
         _ => Err(unsupported(
             ast,
             &format!("the exponent {exponent_value}"),
             &format!(
-                "only integers and halves up to {MAX_EXPONENT} are possible; give a root of a polynomial as \
-                 positive_root(polynomial, x)"
+                "only exponents n/d with n up to {MAX_EXPONENT} and d = 1, {} are possible; give another root of a \
+                 polynomial as positive_root(polynomial, x)",
+                degrees()
             ),
         )),
     }
@@ -171,15 +174,28 @@ fn divides_by_zero(divisor: &Ast) -> LowerError {
     }
 }
 
-fn root(radicand: Expr, ast: &Ast) -> Result<Expr, LowerError> {
-    match constant(&radicand) {
-        Some(value) if value.is_negative() => Err(LowerError {
+/// The function of an argument; of a number that is not in its domain there is none.
+fn called(function: Function, argument: Expr, ast: &Ast) -> Result<Expr, LowerError> {
+    let sign = constant(&argument).map(|value| value.cmp(&BigRational::zero()));
+    match sign.map(|sign| function.sign(sign)) {
+        Some(None) => Err(LowerError {
             what: "it takes the square root of a negative number, whatever its inputs are".to_owned(),
             remedy: "correct the radicand: kernels compute real numbers".to_owned(),
             span: ast.span.clone(),
         }),
-        _ => Ok(Expr::Sqrt(Box::new(radicand))),
+        _ => Ok(Expr::call(function, argument)),
     }
+}
+
+/// The root of this degree, if the table has it.
+fn root(degree: i64) -> Option<Function> {
+    u32::try_from(degree).ok().and_then(Function::root)
+}
+
+/// The degrees of the roots of the table, as a list.
+fn degrees() -> String {
+    let degrees = Function::ALL.into_iter().filter_map(Function::degree);
+    degrees.map(|degree| degree.to_string()).collect::<Vec<_>>().join(", ")
 }
 
 fn integer_power(base: Expr, exponent: i32) -> Expr {
@@ -204,13 +220,27 @@ fn constant(expr: &Expr) -> Option<BigRational> {
     }
 }
 
+/// Whether a function has a meaning of its own in a reference expression.
+#[must_use]
+pub fn is_known_function(name: &str) -> bool {
+    Function::in_worksheets(name).is_some() || ["max", "min", "positive_root"].contains(&name)
+}
+
+/// How the functions that may stand in a reference expression are written, but for `positive_root`.
+#[must_use]
+pub fn known_functions() -> String {
+    let of_table = Function::ALL.map(|function| function.properties().maxima).join(", ");
+    format!("{of_table}, max(x, y, ..), min(x, y, ..)")
+}
+
 fn call(ast: &Ast) -> Result<Expr, LowerError> {
     let Some((name, arguments)) = ast.as_call() else {
         return Err(unsupported(ast, "this call", "write a formula of + - * / ^ sqrt abs and numbers"));
     };
+    if let (Some(function), [argument]) = (Function::in_worksheets(name), arguments) {
+        return called(function, lower(argument)?, ast);
+    }
     match (name, arguments) {
-        ("sqrt", [operand]) => root(lower(operand)?, ast),
-        ("abs", [operand]) => Ok(Expr::Abs(Box::new(lower(operand)?))),
         ("max" | "min", [_, _, ..]) => {
             let items = arguments.iter().map(lower).collect::<Result<_, _>>()?;
             Ok(Expr::Extreme { largest: name == "max", items })
@@ -221,15 +251,17 @@ fn call(ast: &Ast) -> Result<Expr, LowerError> {
             }
             None => Err(unsupported(unknown, "an unknown that is no variable", "write positive_root(polynomial, x)")),
         },
-        ("sqrt" | "abs" | "max" | "min" | "positive_root", _) => Err(LowerError {
+        _ if is_known_function(name) => Err(LowerError {
             what: format!("`{name}` has {} arguments", arguments.len()),
-            remedy: "write sqrt(x), abs(x), max(x, y, ..), min(x, y, ..) or positive_root(polynomial, x)".to_owned(),
+            remedy: format!("write {} or positive_root(polynomial, x)", known_functions()),
             span: ast.span.clone(),
         }),
         _ => Err(LowerError {
             what: format!("unknown function `{name}`"),
-            remedy: "known are sqrt, abs, max, min and positive_root; define any other function in the worksheet"
-                .to_owned(),
+            remedy: format!(
+                "known are {} and positive_root(polynomial, x); define any other function in the worksheet",
+                known_functions()
+            ),
             span: ast.span.clone(),
         }),
     }

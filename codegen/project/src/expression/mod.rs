@@ -2,8 +2,12 @@
 
 mod lower;
 
-pub use lower::{LowerError, lower, lower_errors, remedy_of_constant, remedy_of_function};
+pub use lower::{
+    LowerError, is_known_function, known_functions, lower, lower_errors, remedy_of_constant, remedy_of_function,
+};
 
+use closedform_maxima::parse_expression;
+use closedform_syntax::Function;
 use num_rational::BigRational;
 use num_traits::Zero;
 use std::collections::BTreeSet;
@@ -23,10 +27,8 @@ pub enum Expr {
     Product(Vec<Expr>),
     /// An integer power.
     Power(Box<Expr>, i32),
-    /// The nonnegative square root.
-    Sqrt(Box<Expr>),
-    /// The absolute value.
-    Abs(Box<Expr>),
+    /// A function of an expression.
+    Call(Function, Box<Expr>),
     /// The largest or the smallest of some values.
     Extreme {
         /// Whether it is the largest one.
@@ -89,6 +91,43 @@ impl Expr {
         }
     }
 
+    /// A function of an expression.
+    #[must_use]
+    pub fn call(function: Function, argument: Self) -> Self {
+        Self::Call(function, Box::new(argument))
+    }
+
+    /// The expressions directly inside, in order.
+    #[must_use]
+    pub fn children(&self) -> &[Expr] {
+        match self {
+            Self::Rational(_) | Self::Pi | Self::Symbol(_) => &[],
+            Self::Sum(items) | Self::Product(items) | Self::Extreme { items, .. } => items,
+            Self::Power(inner, _) | Self::Call(_, inner) | Self::PositiveRoot { polynomial: inner, .. } => {
+                std::slice::from_ref(&**inner)
+            }
+        }
+    }
+
+    /// The same expression with what `change` makes of those directly inside.
+    #[must_use]
+    pub fn map(&self, change: &mut dyn FnMut(&Expr) -> Expr) -> Self {
+        let mut boxed = |inner: &Expr| Box::new(change(inner));
+        match self {
+            Self::Rational(_) | Self::Pi | Self::Symbol(_) => self.clone(),
+            Self::Power(base, exponent) => Self::Power(boxed(base), *exponent),
+            Self::Call(function, inner) => Self::Call(*function, boxed(inner)),
+            Self::PositiveRoot { polynomial, unknown } => {
+                Self::PositiveRoot { polynomial: boxed(polynomial), unknown: unknown.clone() }
+            }
+            Self::Sum(items) => Self::Sum(items.iter().map(change).collect()),
+            Self::Product(items) => Self::Product(items.iter().map(change).collect()),
+            Self::Extreme { largest, items } => {
+                Self::Extreme { largest: *largest, items: items.iter().map(change).collect() }
+            }
+        }
+    }
+
     /// The names of all free variables.
     #[must_use]
     pub fn symbols(&self) -> BTreeSet<String> {
@@ -99,39 +138,26 @@ impl Expr {
 
     fn collect_symbols(&self, names: &mut BTreeSet<String>) {
         match self {
-            Self::Rational(_) | Self::Pi => {}
             Self::Symbol(name) => {
                 names.insert(name.clone());
             }
-            Self::Sum(items) | Self::Product(items) | Self::Extreme { items, .. } => {
-                for item in items {
-                    item.collect_symbols(names);
-                }
-            }
-            Self::Power(base, _) | Self::Sqrt(base) | Self::Abs(base) => base.collect_symbols(names),
             Self::PositiveRoot { polynomial, unknown } => {
                 let mut inner = polynomial.symbols();
                 inner.remove(unknown);
                 names.extend(inner);
             }
+            _ => self.children().iter().for_each(|child| child.collect_symbols(names)),
         }
     }
 
     /// Whether a power of a sum occurs in it.
     #[must_use]
     pub fn has_power_of_sum(&self) -> bool {
-        match self {
-            Self::Rational(_) | Self::Pi | Self::Symbol(_) => false,
-            Self::Sum(items) | Self::Product(items) | Self::Extreme { items, .. } => {
-                items.iter().any(Self::has_power_of_sum)
-            }
-            Self::Power(base, _) => matches!(**base, Self::Sum(_)) || base.has_power_of_sum(),
-            Self::Sqrt(base) | Self::Abs(base) => base.has_power_of_sum(),
-            Self::PositiveRoot { polynomial, .. } => polynomial.has_power_of_sum(),
-        }
+        let is_one = matches!(self, Self::Power(base, _) if matches!(**base, Self::Sum(_)));
+        is_one || self.children().iter().any(Self::has_power_of_sum)
     }
 
-    /// The derivative by a variable; `None` where an absolute value, a choice or a polynomial root depends on it.
+    /// The derivative by a variable; `None` where a function without one, a choice or a polynomial root depends on it.
     #[must_use]
     pub fn derivative(&self, by: &str) -> Option<Self> {
         if !self.symbols().contains(by) {
@@ -147,8 +173,22 @@ impl Expr {
                 Self::Power(base.clone(), exponent - 1),
                 base.derivative(by)?,
             ])),
-            Self::Sqrt(base) => Some(base.derivative(by)?.over(Self::integer(2).times(self.clone()))),
-            Self::Abs(_) | Self::Extreme { .. } | Self::PositiveRoot { .. } => None,
+            Self::Call(function, argument) => {
+                let outer = derivative_of_function(*function)?.with_symbols(&[("x", argument), ("y", self)]);
+                Some(argument.derivative(by)?.times(outer))
+            }
+            Self::Extreme { .. } | Self::PositiveRoot { .. } => None,
+        }
+    }
+
+    /// The expression with others in the place of some variables.
+    fn with_symbols(&self, values: &[(&str, &Expr)]) -> Self {
+        match self {
+            Self::Symbol(name) => {
+                let value = values.iter().find(|(symbol, _)| symbol == name);
+                value.map_or_else(|| self.clone(), |(_, value)| (*value).clone())
+            }
+            _ => self.map(&mut |child| child.with_symbols(values)),
         }
     }
 
@@ -157,6 +197,12 @@ impl Expr {
     pub fn is_zero(&self) -> bool {
         matches!(self, Self::Rational(value) if value.is_zero())
     }
+}
+
+/// The derivative of a function of `x`, whose value is `y`. Its text in the kernel language is also one of Maxima's.
+fn derivative_of_function(function: Function) -> Option<Expr> {
+    let text = parse_expression(function.properties().derivative?).ok()?;
+    lower(&text).ok()
 }
 
 fn derivative_of_product(items: &[Expr], by: &str) -> Option<Expr> {
@@ -194,7 +240,23 @@ mod tests {
         let slope = value(&quotient.derivative("x").unwrap(), &two);
         assert_eq!(slope, BigRational::new(28.into(), 9.into()));
         assert!(quotient.derivative("y").unwrap().is_zero());
-        assert_eq!(Expr::Abs(Box::new(x())).derivative("x"), None);
+        assert_eq!(Expr::call(Function::Abs, x()).derivative("x"), None);
+    }
+
+    #[test]
+    fn every_derivative_of_the_table_is_read_and_is_that_of_a_power() {
+        for function in Function::ALL.into_iter().filter(|function| function.properties().derivative.is_some()) {
+            // with f = x^p, f' is p f/x; all at an argument whose value is known
+            let (p, q) = function.properties().exponent;
+            let y = BigRational::from_integer(5.into());
+            let x = y.pow((q / p) as i32);
+            let number = |value: &BigRational| Expr::Rational(value.clone());
+            let slope = derivative_of_function(function).unwrap();
+            let slope = value(&slope.with_symbols(&[("x", &number(&x)), ("y", &number(&y))]), &y);
+            assert_eq!(slope, y / x * BigRational::new(p.into(), q.into()), "{function:?}");
+            let whole = Expr::call(function, Expr::symbol("x").times(Expr::integer(3))).derivative("x").unwrap();
+            assert!(whole.symbols().contains("x"));
+        }
     }
 
     #[test]

@@ -1,8 +1,10 @@
 //! Natural domains: what a formula needs by itself, whatever is promised of its inputs.
 
+mod cubes;
 mod surds;
 
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator, exact, print};
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -12,8 +14,8 @@ use surds::{Clause, Decision};
 
 /// The conditions under which a formula has a real value: radicands not negative, denominators not zero.
 ///
-/// Of sums of two terms with square roots, squares decide. Any other condition whose sides are no rational functions is
-/// left out: it cannot be decided exactly.
+/// Of sums of two terms with square roots, squares decide, and cubes of those with cube roots. Any other condition whose
+/// sides are no rational functions is left out: it cannot be decided exactly.
 pub(super) fn natural_domain(body: &Expr, parameters: &[String]) -> Vec<(String, Condition)> {
     let mut needs = Needs::default();
     needs.collect(body);
@@ -32,10 +34,14 @@ struct Needs(Vec<(String, Vec<Clause>)>);
 impl Needs {
     /// That the expression compares so with zero, unless it says nothing because no input occurs in it.
     fn condition(&mut self, expr: &Expr, relation: Relation) {
+        let expr = without_odd_power(expr);
         let clauses = match surds::decide(expr, relation) {
             Some(Decision::Always) => return,
             Some(Decision::Where(clauses)) => clauses,
-            None => vec![vec![compared(relation, expr.clone(), integer(0))]],
+            None => {
+                let decided = cubes::decide(expr).unwrap_or_else(|| expr.clone());
+                vec![vec![compared(relation, decided, integer(0))]]
+            }
         };
         let text = text_of(&clauses);
         if has_input(expr) && self.0.iter().all(|(known, _)| *known != text) {
@@ -70,10 +76,10 @@ impl Needs {
         }
     }
 
-    /// `base^exponent`: a half needs a radicand, a minus a denominator.
+    /// `base^exponent`: a half needs a radicand, a minus a denominator. Odd roots are real of all numbers.
     fn power(&mut self, base: &Expr, exponent: &Expr) {
         let Some(exponent) = number(exponent) else { return };
-        match (exponent.is_integer(), exponent.is_negative()) {
+        match (is_odd(exponent.denom()), exponent.is_negative()) {
             (false, true) => self.condition(base, Relation::Greater),
             (false, false) => self.condition(base, Relation::GreaterOrEqual),
             (true, true) => self.not_zero(base),
@@ -138,6 +144,21 @@ fn number(expr: &Expr) -> Option<BigRational> {
     }
 }
 
+fn is_odd(number: &BigInt) -> bool {
+    number.bit(0)
+}
+
+/// What has the sign of an odd power or root of it.
+fn without_odd_power(expr: &Expr) -> &Expr {
+    match &expr.kind {
+        ExprKind::Binary { operator: BinaryOperator::Power, left, right } => match number(right) {
+            Some(power) if is_odd(power.numer()) && is_odd(power.denom()) => without_odd_power(left),
+            _ => expr,
+        },
+        _ => expr,
+    }
+}
+
 fn has_input(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Symbol(name) => !name.starts_with('%'),
@@ -177,12 +198,23 @@ mod tests {
         assert_eq!(texts("a/sqrt(sqrt(b))", &["a", "b"]), ["b >= 0", "b > 0"]);
         assert_eq!(texts("a/sqrt(abs(b))", &["a", "b"]), ["b # 0"]);
         assert_eq!(texts("a/%pi+a^2", &["a"]), [""; 0]);
+        assert_eq!(texts("(a/b)^(2/3)-a^(1/3)", &["a", "b"]), ["b # 0"]);
+        assert_eq!(texts("a^(-1/3)+sqrt((a-b)^(1/3))", &["a", "b"]), ["a # 0", "a-b >= 0"]);
     }
 
     #[test]
     fn what_cannot_be_decided_exactly_is_left_out() {
         assert_eq!(texts("sqrt(1-sqrt(1+sqrt(x)))", &["x"]), ["x >= 0"]);
         assert_eq!(texts("1/(sqrt(x)+sqrt(y)-sqrt(z))", &["x", "y", "z"]), ["x >= 0", "y >= 0", "z >= 0"]);
+    }
+
+    #[test]
+    fn cubes_decide_about_two_cube_roots() {
+        let last = |formula: &str| texts(formula, &["a", "b"]).pop();
+        assert_eq!(last("1/(a^(1/3)-b^(1/3))").as_deref(), Some("a-b # 0"));
+        assert_eq!(last("sqrt(2*a*b^(2/3)-3)").as_deref(), Some("2^3*a^3*b^2-3^3 >= 0"));
+        assert_eq!(last("sqrt(b-a^(1/3)/2)").as_deref(), Some("b^3-a/2^3 >= 0"));
+        assert_eq!(last("1/(a^(1/3)+b^(1/3)-1)"), None);
     }
 
     #[test]

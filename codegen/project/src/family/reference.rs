@@ -4,12 +4,13 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use closedform_maxima::{BinaryOperator, Definition, Expr, ExprKind, UnaryOperator, definitions};
+use closedform_syntax::Function;
 use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
 use super::super::contract::Contract;
 use super::super::source::{self, Text};
-use crate::expression::{LowerError, lower_errors, remedy_of_constant, remedy_of_function};
+use crate::expression::{LowerError, known_functions, lower_errors, remedy_of_constant, remedy_of_function};
 
 /// Why a text does not hold the reference expressions of a contract.
 #[derive(Debug, Error, Diagnostic)]
@@ -80,7 +81,8 @@ pub enum ReferenceMistake {
     /// A function that no kernel can compute.
     #[error("`{worksheet}` calls `{name}`, which kernels cannot compute")]
     #[diagnostic(help(
-        "kernels know + - * / ^, sqrt(x), abs(x), max(x, y), min(x, y) and positive_root(polynomial, x){}",
+        "kernels know + - * / ^, {} and positive_root(polynomial, x){}",
+        known_functions(),
         remedy_of_function(name).map(|remedy| format!("; {remedy}")).unwrap_or_default()
     ))]
     UnknownFunction {
@@ -108,9 +110,7 @@ pub enum ReferenceMistake {
     },
     /// Not arithmetic at all.
     #[error("`{worksheet}` is not a closed form")]
-    #[diagnostic(help(
-        "kernels know + - * / ^, sqrt(x), abs(x), max(x, y), min(x, y) and positive_root(polynomial, x)"
-    ))]
+    #[diagnostic(help("kernels know + - * / ^, {} and positive_root(polynomial, x)", known_functions()))]
     NotArithmetic {
         /// The function.
         worksheet: String,
@@ -243,7 +243,7 @@ impl<'a> Body<'a> {
 
     fn call(&mut self, expression: &'a Expr) {
         match expression.as_call() {
-            Some(("sqrt" | "abs", [argument])) => self.expression(argument),
+            Some((name, [argument])) if Function::in_worksheets(name).is_some() => self.expression(argument),
             Some(("max" | "min", items @ [_, _, ..])) => items.iter().for_each(|item| self.expression(item)),
             Some(("positive_root", [polynomial, variable])) => self.root(polynomial, variable),
             Some((name, _)) => {

@@ -1,7 +1,7 @@
 //! Rule `conjugate`: a sum with a square root that cancels becomes a quotient that does not.
 
 use super::sum;
-use crate::field::{Sign, TowerError, conjugate};
+use crate::field::{Sign, TowerError};
 use crate::program::Node;
 use crate::stable::builder::Builder;
 use crate::stable::rule::Rule;
@@ -43,7 +43,7 @@ pub fn rationalised(builder: &mut Builder, surd: &Surd, sign: Sign) -> Result<No
         return Ok(builder.graph.constant(&BigRational::zero()));
     }
     let mut quotient = surd.quotient.clone();
-    let (mut below, mut sign) = (conjugate(sum, radical.var), sign);
+    let (mut below, mut sign) = (builder.tower.conjugate(sum, radical), sign);
     if sign.is(Sign::NONPOSITIVE) {
         quotient.constant = -quotient.constant;
         (below, sign) = (below.negated(), -sign);

@@ -7,6 +7,7 @@ use crate::stable::builder::Builder;
 use crate::stable::quotient::{Factor, Quotient};
 use crate::stable::rule::Rule;
 use crate::stable::surd::Surd;
+use closedform_syntax::Function;
 
 /// The rule.
 pub const RULE: Rule = Rule {
@@ -22,7 +23,7 @@ pub const RULE: Rule = Rule {
 pub fn steps(builder: &mut Builder, surd: &Surd) -> Result<Option<Node>, TowerError> {
     let common = builder.tower.radicals().iter().rev().find_map(|radical| {
         let (rational, rest) = parts(&surd.sum, radical.var);
-        (rational.is_zero() && !rest.is_zero()).then(|| (radical.clone(), rest))
+        (radical.degree == 2 && rational.is_zero() && !rest.is_zero()).then(|| (radical.clone(), rest))
     });
     let Some((radical, rest)) = common else { return Ok(None) };
     merged(builder, &rest, &radical, surd.quotient.clone()).map(Some)
@@ -49,7 +50,7 @@ fn merged(
             inside.multiply(&root.radicand, 1);
             merged.push(root.var);
         }
-        next = builder.tower.top_radical(&rest).cloned();
+        next = builder.tower.top_radical(&rest).filter(|radical| radical.degree == 2).cloned();
         if let Some(root) = &next {
             let (rational, surd) = parts(&rest, root.var);
             if !rational.is_zero() {
@@ -78,7 +79,7 @@ fn merged(
         quotient.multiply_node(root, 1);
     } else if !merged.is_empty() {
         let radicand = builder.quotient(&inside)?;
-        let root = builder.graph.sqrt(radicand);
+        let root = builder.graph.call(Function::Sqrt, radicand);
         builder.mark(&RULE, root);
         quotient.multiply_node(root, if below { -1 } else { 1 });
     }

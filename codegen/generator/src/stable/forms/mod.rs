@@ -6,10 +6,14 @@
 pub mod certified;
 pub mod compensated;
 pub mod conjugate;
+pub mod cube_conjugate;
+pub mod cube_quotient;
+pub mod cubic;
 pub mod differences_first;
 pub mod divided;
 pub mod factored;
 pub mod known_sum;
+pub mod merge_cubes;
 pub mod merge_roots;
 pub mod plain;
 pub mod same_sign_radicand;

@@ -6,6 +6,7 @@ use crate::program::Node;
 use crate::stable::builder::Builder;
 use crate::stable::rule::Rule;
 use crate::stable::surd::Surd;
+use closedform_syntax::Function;
 use num_traits::{One, Signed};
 
 /// The rule.
@@ -36,7 +37,7 @@ pub fn steps(builder: &mut Builder, surd: &Surd) -> Result<Option<Node>, TowerEr
     let square = builder.graph.with_error(square, Sign::NONNEGATIVE, 2.0 * builder.graph.error(a) + 1.0);
     let rest = builder.value(&norm.negated())?;
     let inside = builder.graph.add(square, rest);
-    let root = builder.graph.sqrt(inside);
+    let root = builder.graph.call(Function::Sqrt, inside);
     builder.mark(&RULE, inside);
     builder.stand_for(radical.var, root);
     builder.surd(surd).map(Some)

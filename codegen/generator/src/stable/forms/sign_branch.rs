@@ -1,6 +1,6 @@
 //! Rule `sign-branch`: where the sign of a term decides which form cancels, the kernel decides by that sign.
 
-use super::{conjugate, sum};
+use super::{conjugate, cube_conjugate, cubic, sum};
 use crate::field::{Sign, TowerError};
 use crate::program::{Condition, Graph, Node};
 use crate::stable::builder::Builder;
@@ -37,8 +37,25 @@ pub fn steps(builder: &mut Builder, surd: &Surd) -> Result<Node, TowerError> {
     Ok(node)
 }
 
+/// Either form of a sum of two terms with cube roots, chosen by their signs.
+///
+/// # Errors
+/// When there are three terms, of which no form keeps the digits; when the tower has no room left.
+pub fn of_cubes(builder: &mut Builder, surd: &Surd) -> Result<Node, TowerError> {
+    let terms = cubic::terms(builder, surd)?;
+    let [a, b] = terms[..] else { return Err(TowerError::CancellingCubes) };
+    let condition = agreement(&mut builder.graph, (a.node, a.sign), (b.node, b.sign));
+    let sign = if b.sign.is_definite() { b.sign } else { a.sign };
+    let then = cubic::added(builder, surd, &terms, if sign.is_definite() { sign } else { Sign::ANY })?;
+    let otherwise = cube_conjugate::rationalised(builder, surd, [a, b])?;
+    let node = builder.graph.select(condition, then, otherwise);
+    builder.mark(&RULE, node);
+    builder.mark(&cube_conjugate::RULE, otherwise);
+    Ok(node)
+}
+
 /// The condition that two steps are not of opposite signs.
-fn agreement(graph: &mut Graph, a: (Node, Sign), b: (Node, Sign)) -> Condition {
+pub fn agreement(graph: &mut Graph, a: (Node, Sign), b: (Node, Sign)) -> Condition {
     if let Some(order) = not_opposite(b.1) {
         return compared_with_zero(graph, a.0, order);
     }

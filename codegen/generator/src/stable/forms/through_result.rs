@@ -60,7 +60,7 @@ fn eliminate(
     let tower = &builder.tower;
     let Some(radical) = tower.top_radical(&element.numerator).cloned() else { return Ok(None) };
     let same_root = tower.top_radical(&earlier.element.numerator).is_some_and(|r| r.var == radical.var);
-    if !same_root || tower.radicals().len() != 1 {
+    if !same_root || radical.degree != 2 || tower.radicals().len() != 1 {
         return Ok(None);
     }
     let stand_in = builder.tower.allocate(sign)?;

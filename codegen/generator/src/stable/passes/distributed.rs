@@ -56,7 +56,7 @@ fn times(graph: &mut Graph, factor: Node, term: Node) -> Option<(Node, Node)> {
             let (slice, product) = gathered_product(graph, factor, taking)?;
             Some((slice, graph.mul(product, rest)))
         }
-        Op::Sqrt(_) => Some((factor, graph.mul(factor, term))),
+        Op::Call(function, _) if !function.is_exact() => Some((factor, graph.mul(factor, term))),
         _ => None,
     }
 }

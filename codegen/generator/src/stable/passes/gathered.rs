@@ -84,13 +84,9 @@ impl Walk<'_> {
                 let a = self.gathered(a);
                 self.graph.neg(a)
             }
-            Op::Sqrt(a) => {
+            Op::Call(function, a) => {
                 let a = self.gathered(a);
-                self.graph.sqrt(a)
-            }
-            Op::Abs(a) => {
-                let a = self.gathered(a);
-                self.graph.abs(a)
+                self.graph.call(function, a)
             }
             Op::Add(a, b) => {
                 let [a, b] = self.terms([a, b]);

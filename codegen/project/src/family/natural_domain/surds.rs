@@ -231,7 +231,7 @@ impl Term {
 }
 
 /// Whether anything in the expression is no rational function.
-fn has_root(expr: &Expr) -> bool {
+pub(super) fn has_root(expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Integer(_) | ExprKind::Float(_) | ExprKind::Symbol(_) => false,
         ExprKind::Unary { operand, .. } => has_root(operand),

@@ -1,0 +1,50 @@
+//! The magnitude.
+
+use core::cmp::Ordering::{Equal, Greater};
+
+use super::{Cost, Definition, Properties};
+use crate::ball::Ball;
+use crate::double_double::DoubleDouble;
+use crate::error_model::Units;
+use crate::soft::Soft;
+
+/// The magnitude of a number.
+pub(super) struct Abs;
+
+impl Definition for Abs {
+    const PROPERTIES: Properties = Properties {
+        name: "abs",
+        noun: "magnitude",
+        maxima: "abs(x)",
+        exponent: (1, 1),
+        signs: [Some(Greater), Some(Equal), Some(Greater)],
+        increases: false,
+        derivative: None,
+        error: Units::NONE,
+        double_double_error: 0.0,
+        cost: Cost::FREE,
+    };
+
+    #[inline(always)]
+    fn double(x: f64) -> f64 {
+        x.abs()
+    }
+
+    #[inline(always)]
+    fn double_double(x: DoubleDouble) -> DoubleDouble {
+        if x.round() < 0.0 { -x } else { x }
+    }
+
+    fn soft(x: Soft) -> Soft {
+        x.magnitude()
+    }
+
+    fn ball<'a, const L: usize>(x: &Ball<'a, L>) -> Ball<'a, L> {
+        x.magnitude()
+    }
+
+    #[cfg(any(test, feature = "mpfr"))]
+    fn mpfr(x: &mut rug::Float) {
+        x.abs_mut();
+    }
+}

@@ -1,0 +1,211 @@
+//! The functions that kernels may call, as data: what holds of each, and how every arithmetic evaluates it.
+//!
+//! A function is a file of this folder, which implements `Definition`, and a line of the table below. All else asks the
+//! table: no arithmetic, no tree and no text for people names a function.
+//!
+//! They are functions of one number. `max` and `min` are none of them: they choose one of any number of values, which
+//! needs comparisons and no arithmetic, and rounds nothing.
+
+mod abs;
+mod cbrt;
+mod cost;
+mod operations;
+mod properties;
+mod sqrt;
+
+use core::cmp::Ordering;
+
+use crate::ball::Ball;
+use crate::double_double::DoubleDouble;
+use crate::soft::Soft;
+pub use cost::Cost;
+pub use properties::Properties;
+
+/// A function: what holds of it, and its value in every arithmetic.
+trait Definition {
+    /// What holds of it.
+    const PROPERTIES: Properties;
+
+    /// In `f64`, with the error that [`Properties::error`] says.
+    fn double(x: f64) -> f64;
+
+    /// In double-double, with the error that [`Properties::double_double_error`] says where [`Range`](crate::range::STEP)
+    /// holds of both argument and value.
+    fn double_double(x: DoubleDouble) -> DoubleDouble;
+
+    /// In integers with an endless exponent, right to 2^-120.
+    fn soft(x: Soft) -> Soft;
+
+    /// In balls: one that holds the value at every number of the ball `x`.
+    fn ball<'a, const L: usize>(x: &Ball<'a, L>) -> Ball<'a, L>;
+
+    /// In MPFR, correctly rounded.
+    #[cfg(any(test, feature = "mpfr"))]
+    fn mpfr(x: &mut rug::Float);
+}
+
+/// Declares the functions; each is a file of this folder, in which a type of the same name is its definition. What costs
+/// something is counted, under the name given.
+macro_rules! functions {
+    ($($name:ident in $file:ident $(counted as $field:ident)?,)*) => {
+        operations::operations! { $($($field: $name,)?)* }
+
+        /// A function of one number.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Function {
+            $(#[doc = concat!("`", stringify!($file), "(e)`")] $name,)*
+        }
+
+        impl Function {
+            /// All of them.
+            pub const ALL: [Self; [$(stringify!($name)),*].len()] = [$(Self::$name),*];
+
+            /// What holds of it.
+            #[inline(always)]
+            #[must_use]
+            pub const fn properties(self) -> &'static Properties {
+                match self {
+                    $(Self::$name => &<$file::$name as Definition>::PROPERTIES,)*
+                }
+            }
+
+            /// Its value in `f64`.
+            #[inline(always)]
+            pub(crate) fn double(self, x: f64) -> f64 {
+                match self {
+                    $(Self::$name => $file::$name::double(x),)*
+                }
+            }
+
+            /// Its value in double-double.
+            #[inline(always)]
+            pub(crate) fn double_double(self, x: DoubleDouble) -> DoubleDouble {
+                match self {
+                    $(Self::$name => $file::$name::double_double(x),)*
+                }
+            }
+
+            /// Its value in integers with an endless exponent.
+            pub(crate) fn soft(self, x: Soft) -> Soft {
+                match self {
+                    $(Self::$name => $file::$name::soft(x),)*
+                }
+            }
+
+            /// Its value in balls.
+            pub(crate) fn ball<'a, const L: usize>(self, x: &Ball<'a, L>) -> Ball<'a, L> {
+                match self {
+                    $(Self::$name => $file::$name::ball(x),)*
+                }
+            }
+
+            /// Its value in MPFR, in place.
+            #[cfg(any(test, feature = "mpfr"))]
+            pub fn mpfr(self, x: &mut rug::Float) {
+                match self {
+                    $(Self::$name => $file::$name::mpfr(x),)*
+                }
+            }
+        }
+    };
+}
+
+functions! {
+    Sqrt in sqrt counted as sqrt,
+    Abs in abs,
+    Cbrt in cbrt counted as cbrt,
+}
+
+impl Function {
+    /// Its name in the kernel language.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        self.properties().name
+    }
+
+    /// The function of this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|function| function.name() == name)
+    }
+
+    /// The function of this name in worksheets; those without one are written as powers.
+    #[must_use]
+    pub fn in_worksheets(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|function| function.properties().maxima.strip_suffix("(x)") == Some(name))
+    }
+
+    /// The real root of this degree.
+    #[must_use]
+    pub fn root(degree: u32) -> Option<Self> {
+        Self::ALL.into_iter().find(|function| function.degree() == Some(degree))
+    }
+
+    /// The degree, if it is a root.
+    #[must_use]
+    pub fn degree(self) -> Option<u32> {
+        match self.properties().exponent {
+            (1, degree @ 2..) => Some(degree),
+            _ => None,
+        }
+    }
+
+    /// What an error of the argument is of the value, both relative and small.
+    #[must_use]
+    pub fn carried(self, error: f64) -> f64 {
+        let (p, q) = self.properties().exponent;
+        f64::from(p) / f64::from(q) * error
+    }
+
+    /// The sign of the value at an argument of this sign; `None` where there is no value.
+    #[must_use]
+    pub const fn sign(self, of_argument: Ordering) -> Option<Ordering> {
+        let [negative, zero, positive] = self.properties().signs;
+        match of_argument {
+            Ordering::Less => negative,
+            Ordering::Equal => zero,
+            Ordering::Greater => positive,
+        }
+    }
+
+    /// Whether it has a value at every number.
+    #[must_use]
+    pub const fn is_total(self) -> bool {
+        self.sign(Ordering::Less).is_some()
+    }
+
+    /// Whether it turns its sign with the argument's; the size of its value depends on that of the argument alone.
+    #[must_use]
+    pub fn is_odd(self) -> bool {
+        self.sign(Ordering::Less) == self.sign(Ordering::Greater).map(Ordering::reverse)
+    }
+
+    /// Whether it is the same at the argument's negative.
+    #[must_use]
+    pub fn is_even(self) -> bool {
+        self.sign(Ordering::Less) == self.sign(Ordering::Greater)
+    }
+
+    /// Whether it has a value there; magnitudes do not tell.
+    #[inline(always)]
+    pub(crate) fn is_defined(self, x: f64) -> bool {
+        self.is_total() | (x >= 0.0)
+    }
+
+    /// Whether the value is the argument but for its sign, so that nothing is rounded.
+    #[must_use]
+    pub const fn is_exact(self) -> bool {
+        matches!(self.properties().exponent, (1, 1))
+    }
+}
+
+// What the functions above take for granted: zero goes to zero, so only numbers below it can have no value.
+const _: () = {
+    let mut at = 0;
+    while at < Function::ALL.len() {
+        let function = Function::ALL[at];
+        assert!(matches!(function.sign(Ordering::Equal), Some(Ordering::Equal)));
+        assert!(function.sign(Ordering::Greater).is_some());
+        at += 1;
+    }
+};

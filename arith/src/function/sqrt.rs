@@ -1,0 +1,54 @@
+//! The square root.
+
+use core::cmp::Ordering::{Equal, Greater};
+
+use super::{Cost, Definition, Properties};
+use crate::ball::Ball;
+use crate::double_double::DoubleDouble;
+use crate::error_model::{ROUNDING, double_double};
+use crate::float;
+use crate::soft::Soft;
+
+/// The square root; none below zero.
+pub(super) struct Sqrt;
+
+/// The root of a number in `f64`, which the processor computes.
+const IN_DOUBLE: u32 = 10;
+
+impl Definition for Sqrt {
+    const PROPERTIES: Properties = Properties {
+        name: "sqrt",
+        noun: "square root",
+        maxima: "sqrt(x)",
+        exponent: (1, 2),
+        signs: [None, Some(Equal), Some(Greater)],
+        increases: true,
+        derivative: Some("1.0 / (2.0 * y)"),
+        error: ROUNDING,
+        double_double_error: double_double::ROOT,
+        cost: Cost { double: IN_DOUBLE, double_double: 9 + Cost::DIVISION + IN_DOUBLE, ball: 1_100 },
+    };
+
+    #[inline(always)]
+    fn double(x: f64) -> f64 {
+        float::sqrt(x)
+    }
+
+    #[inline(always)]
+    fn double_double(x: DoubleDouble) -> DoubleDouble {
+        x.sqrt()
+    }
+
+    fn soft(x: Soft) -> Soft {
+        x.root(2, float::sqrt)
+    }
+
+    fn ball<'a, const L: usize>(x: &Ball<'a, L>) -> Ball<'a, L> {
+        x.root(2, float::sqrt)
+    }
+
+    #[cfg(any(test, feature = "mpfr"))]
+    fn mpfr(x: &mut rug::Float) {
+        x.sqrt_mut();
+    }
+}

@@ -1,0 +1,116 @@
+//! Programs in integers with an endless exponent: `Real` for `Soft`.
+
+use super::{Kind, Soft};
+use crate::exact::{self, Operand};
+use crate::function::Function;
+use crate::real::Real;
+use crate::root;
+use crate::terms::Terms;
+
+impl Soft {
+    /// Rounded to 53 bits; `None` unless it is a number.
+    fn operand(self) -> Option<Operand> {
+        let operand = Operand::of(self.scaled().to_f64())?;
+        Some(Operand { exponent: operand.exponent + self.leading(), ..operand })
+    }
+}
+
+impl Real for Soft {
+    type Wide = Soft;
+
+    fn literal(&self, value: f64) -> Self {
+        Soft::from_f64(value)
+    }
+
+    fn pi(&self) -> Self {
+        // the first 128 bits
+        Soft::new(false, 0xc90f_daa2_2168_c234_c4c6_628b_80dc_1cd1, -126, true)
+    }
+
+    fn nan(&self) -> Self {
+        Soft::NAN
+    }
+
+    fn add(&self, other: &Self) -> Self {
+        self.plus(*other)
+    }
+
+    fn sub(&self, other: &Self) -> Self {
+        self.plus(other.negated())
+    }
+
+    fn mul(&self, other: &Self) -> Self {
+        self.times(*other)
+    }
+
+    fn div(&self, other: &Self) -> Self {
+        self.over(*other)
+    }
+
+    fn neg(&self) -> Self {
+        self.negated()
+    }
+
+    fn call(&self, function: Function) -> Self {
+        function.soft(*self)
+    }
+
+    fn is_finite(&self) -> bool {
+        self.kind != Kind::Nan
+    }
+
+    /// To the digits of `f64`: the iterate, which a `residual!` corrects.
+    fn positive_root(&self, coefficients: &[Self]) -> Self {
+        if coefficients.iter().any(|c| c.kind == Kind::Nan) {
+            return Soft::NAN;
+        }
+        let term =
+            |c: &Self| (c.kind == Kind::Normal).then(|| root::Term { negative: c.negative, exponent: c.leading() });
+        let moved = |c: &Self, by: i64| Soft { exponent: c.exponent.saturating_add(by), ..*c }.to_f64();
+        match root::scaled_root(coefficients, term, moved) {
+            Some((root, bound)) => {
+                let root = Soft::from_f64(root);
+                Soft { exponent: root.exponent + bound, ..root }
+            }
+            None => Soft::NAN,
+        }
+    }
+
+    fn two_sum(&self, other: &Self) -> Self {
+        self.plus(*other)
+    }
+
+    fn two_product(&self, other: &Self) -> Self {
+        self.times(*other)
+    }
+
+    fn wide_neg(wide: &Self) -> Self {
+        wide.negated()
+    }
+
+    fn wide_add_exact(wide: &Self, exact: &Self) -> Self {
+        wide.plus(*exact)
+    }
+
+    fn wide_add(left: &Self, right: &Self) -> Self {
+        left.plus(*right)
+    }
+
+    fn wide_mul_exact(wide: &Self, exact: &Self) -> Self {
+        wide.times(*exact)
+    }
+
+    fn wide_mul(left: &Self, right: &Self) -> Self {
+        left.times(*right)
+    }
+
+    /// Exact, but for the bits that are cut off; of operands the first 53 bits count, as in `f64`, with any exponent. Where
+    /// terms lie too far apart to be summed exactly, right to 2^-120 of the largest.
+    fn compensated(wide: &Self, _: f64, operands: &[&Self], terms: Terms) -> Self {
+        exact::polynomial(operands, |operand| operand.operand(), terms).unwrap_or(*wide)
+    }
+
+    fn residual(wide: &Self) -> Self {
+        *wide
+    }
+}
