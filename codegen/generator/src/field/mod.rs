@@ -4,4 +4,5 @@ mod sign;
 mod tower;
 
 pub use sign::{Facts, Sign, Slack};
-pub use tower::{Element, Radical, Tower, TowerError, parts, powers};
+pub use tower::surd::{parts, powers};
+pub use tower::{Element, Radical, Tower, TowerError};
