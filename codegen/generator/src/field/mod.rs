@@ -7,4 +7,5 @@ mod tower;
 
 pub use set::Sign;
 pub use sign::{Facts, Slack};
-pub use tower::{Element, Radical, Tower, TowerError, parts, powers};
+pub use tower::surd::{parts, powers};
+pub use tower::{Element, Radical, Tower, TowerError};

@@ -2,9 +2,7 @@
 
 mod cube;
 mod square;
-mod surd;
-
-pub use surd::{parts, powers};
+pub mod surd;
 
 use super::{Facts, Sign};
 use crate::algebra::{Algebra, Polynomial, Ring, Var};

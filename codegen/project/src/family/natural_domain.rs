@@ -1,15 +1,16 @@
 //! Natural domains: what a formula needs by itself, whatever is promised of its inputs.
 
 mod cubes;
+mod number;
 mod surds;
 
-use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator, exact, print};
+use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator, print};
 use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 
 use super::super::domain::Condition;
 use crate::construct::{compared, integer, joined};
+use number::number;
 use surds::{Clause, Decision};
 
 /// The conditions under which a formula has a real value: radicands not negative, denominators not zero.
@@ -122,25 +123,6 @@ fn comparison_text(comparison: &Expr) -> String {
             format!("{} {} {}", print(left), operator.symbol(), print(right))
         }
         _ => print(comparison),
-    }
-}
-
-/// The value of an expression of numbers alone.
-fn number(expr: &Expr) -> Option<BigRational> {
-    match &expr.kind {
-        ExprKind::Unary { operator: UnaryOperator::Minus, operand } => Some(-number(operand)?),
-        ExprKind::Unary { operator: UnaryOperator::Plus, operand } => number(operand),
-        ExprKind::Binary { operator, left, right } => {
-            let (left, right) = (number(left)?, number(right)?);
-            match operator {
-                BinaryOperator::Add => Some(left + right),
-                BinaryOperator::Subtract => Some(left - right),
-                BinaryOperator::Multiply => Some(left * right),
-                BinaryOperator::Divide => (!right.is_zero()).then(|| left / right),
-                _ => None,
-            }
-        }
-        _ => exact::rational(expr).ok(),
     }
 }
 

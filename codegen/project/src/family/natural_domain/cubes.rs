@@ -5,7 +5,7 @@ use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, parse_exp
 use num_bigint::BigInt;
 use num_traits::One;
 
-use super::number;
+use super::number::number;
 use super::surds::has_root;
 
 /// The rational function that has the sign of the expression, if that is such a sum.
