@@ -69,7 +69,7 @@ fn names_resolve_to_slots() {
 
 #[test]
 fn operations_are_counted() {
-    let expected = Operations { add: 1, mul: 0, div: 1, sqrt: 1, compensated: 2, slices: 1, root: 1 };
+    let expected = Operations { add: 1, mul: 0, div: 1, sqrt: 1, cbrt: 0, compensated: 2, slices: 1, root: 1 };
     assert_eq!(operations(&ramp()), expected);
 }
 

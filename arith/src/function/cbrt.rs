@@ -82,7 +82,7 @@ fn reduced(x: f64) -> (f64, i32) {
     let normal = if subnormal { x * power_of_two(54) } else { x };
     let exponent = (normal.to_bits() >> 52) as i32 - 1023;
     let third = exponent.div_euclid(3);
-    let m = f64::from_bits(normal.to_bits().wrapping_sub((3 * i64::from(third) << 52) as u64));
+    let m = f64::from_bits(normal.to_bits().wrapping_sub(((3 * i64::from(third)) << 52) as u64));
     (m, if subnormal { third - 18 } else { third })
 }
 
@@ -114,7 +114,6 @@ fn of_reduced(m: f64) -> f64 {
 /// A power of 8 by which a magnitude comes far from the ends of the range, and the root of its reciprocal.
 #[inline(always)]
 fn scales(size: f64) -> (f64, f64) {
-    const { assert!(600 % 3 == 0) };
     if size < power_of_two(-300) {
         (power_of_two(600), power_of_two(-200))
     } else if size > power_of_two(300) {

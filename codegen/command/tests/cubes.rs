@@ -13,7 +13,7 @@ fn generated() -> (tempfile::TempDir, Catalogue) {
     let folder = tempfile::tempdir().unwrap();
     let (worksheet, out) = (repository().join("codegen/command/tests/cubes.mac"), folder.path().join("made"));
     succeeds(&repository(), &["generate", "--input", worksheet.to_str().unwrap(), "--out", out.to_str().unwrap()]);
-    let catalogue = Catalogue::open(&out).unwrap();
+    let catalogue = Catalogue::open(&closedform_project::Project::at(&out).unwrap()).unwrap();
     (folder, catalogue)
 }
 

@@ -187,7 +187,7 @@ impl Range {
 
     /// All powers: those of an even exponent are powers of magnitudes.
     pub(super) fn power(&self, exponent: u32) -> Self {
-        let base = if exponent % 2 == 0 { self.magnitude() } else { self.clone() };
+        let base = if exponent.is_multiple_of(2) { self.magnitude() } else { self.clone() };
         Self { low: base.low.raised(exponent), high: base.high.raised(exponent) }
     }
 

@@ -111,7 +111,7 @@ impl Interval {
     fn power(&self, exponent: u16) -> Self {
         let whole = (0..exponent).fold(Self::of(&BigRational::one()), |power, _| power.times(self));
         // factors that are the same number are of the same sign
-        if exponent % 2 == 0 { whole.related(Relation::GreaterOrEqual, &BigRational::zero()) } else { whole }
+        if exponent.is_multiple_of(2) { whole.related(Relation::GreaterOrEqual, &BigRational::zero()) } else { whole }
     }
 
     fn limits(&self) -> Option<(&BigRational, &BigRational)> {
