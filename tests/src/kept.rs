@@ -11,7 +11,8 @@ const REMEDY: &str = "run `closedform verify --hunt 60s --keep` and commit tests
 
 /// All that is kept.
 pub fn load() -> Vec<Kept> {
-    let kept = closedform_project::kept::load(&workspace::root()).unwrap_or_else(|error| panic!("{error}; {REMEDY}"));
+    let kept = closedform_project::kept::load(&workspace::root().join("tests"))
+        .unwrap_or_else(|error| panic!("{error}; {REMEDY}"));
     assert!(!kept.is_empty(), "nothing is kept: {REMEDY}");
     kept
 }

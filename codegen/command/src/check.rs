@@ -90,7 +90,8 @@ fn recorded(project: &Project) -> miette::Result<()> {
     let table = kernel_table::expected(project, &catalogue, &rows).filter(|(expected, present)| expected != present);
     let page = table.and(project.table.as_deref());
     let (expected, present) = ledger::expected(&project.records, &rows)?;
-    let ledger = (expected != present).then(|| ledger::path(&project.records));
+    // a project may do without a ledger
+    let ledger = (expected != present && !present.is_empty()).then(|| ledger::path(&project.records));
     let stale = page.map(|page| format!("stale: the table of kernels in {}", project.shown(page)));
     let stale: Vec<String> =
         stale.into_iter().chain(ledger.map(|path| format!("stale: {}", project.shown(&path)))).collect();

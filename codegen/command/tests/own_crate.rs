@@ -160,11 +160,10 @@ fn what_was_not_generated_stays() {
     desk.write("a b.mac", "f(x) := 2*x$");
     desk.makes("a-b.mac", "mine");
     desk.refuses("a b.mac", "mine", &["a_b.rs was made from another worksheet", "rename one"]);
-    // The kernels of a project with contracts.
+    // The kernels of a project.
     desk.write("project/Cargo.toml", "[package]\nname = \"kernels\"\n");
     desk.write("project/src/lib.rs", "mod generated;\n");
-    let index = repository().join("kernels/src/generated/mod.rs");
-    desk.write("project/src/generated/mod.rs", &fs::read_to_string(index).unwrap());
+    desk.write("project/closedform.toml", "kernels = \".\"\n");
     desk.refuses("my.mac", "project", &["belongs to a project"]);
 }
 

@@ -13,8 +13,8 @@ use plotters::prelude::DrawingAreaErrorKind as AreaError;
 pub(super) const WIDTH: f64 = 480.0;
 /// Left of a frame, for its numbers.
 pub(super) const LEFT: f64 = 62.0;
-/// Right of a frame.
-pub(super) const RIGHT: f64 = 20.0;
+/// Right of a frame, for half of the last number below it.
+pub(super) const RIGHT: f64 = 28.0;
 /// How wide a frame is.
 pub(super) const INSIDE: f64 = WIDTH - LEFT - RIGHT;
 /// Above a frame, for its title.

@@ -162,7 +162,6 @@ pub(super) fn is_empty(folder: &Path) -> Result<bool, OwnCrateError> {
     match fs::read_dir(folder) {
         Ok(mut entries) => Ok(entries.next().is_none()),
         Err(cause) if cause.kind() == io::ErrorKind::NotFound => Ok(true),
-        Err(cause) if cause.kind() == io::ErrorKind::NotADirectory => Err(OwnCrateError::File(folder.to_owned())),
         Err(cause) => Err(OwnCrateError::write(folder, cause)),
     }
 }

@@ -40,6 +40,9 @@ const WHOLE: Layout = Layout { kernels: "kernels", worksheets: "../maxima-ref" }
 ///
 /// When the folder is not new or empty, or cannot be written.
 pub fn start(folder: &Path, runtime: &Runtime) -> miette::Result<Vec<String>> {
+    if folder.is_file() {
+        return Err(OwnCrateError::File(folder.to_owned()).into());
+    }
     if !place::is_empty(folder)? {
         return Err(OwnCrateError::NotEmpty(folder.to_owned()).into());
     }

@@ -142,7 +142,7 @@ fn strangers_that_are_no_closed_forms_are_pointed_at() {
 #[test]
 fn what_no_kernel_computes_is_pointed_at_before_anything_runs() {
     has(&stranger("f(x):=1+x^65$").unwrap_err(), &["`f`: the exponent 65", "my.mac:1:", "n up to 64 and d = 1, 2, 3"]);
-    has(&stranger("g(x):=x$ f(x):=2*x^(1/3)$").unwrap_err(), &["the exponent 1/3", "positive_root(polynomial, x)"]);
+    has(&stranger("g(x):=x$ f(x):=2*x^(1/5)$").unwrap_err(), &["the exponent 1/5", "positive_root(polynomial, x)"]);
     has(&stranger("f(x,y):=x^y$").unwrap_err(), &["a power with a variable exponent"]);
     has(
         &stranger("g(x):=x$\nf(x):=1/0+x$").unwrap_err(),
@@ -187,7 +187,7 @@ fn every_mistake_of_a_worksheet_is_told_at_once() {
                 constant():=2$\n\
                 loose(x):=x+y$\n\
                 calls(x):=loose(x)+1$\n\
-                zero(x):=1/0+x^(1/3)$\n\
+                zero(x):=1/0+x^(1/5)$\n\
                 sine(x):=sin(x)$\n\
                 endless(x):=endless(x)$\n\
                 more(x):=good(x,1)$\n\
@@ -197,7 +197,7 @@ fn every_mistake_of_a_worksheet_is_told_at_once() {
     let (lines, kernels, said) = sheet(text);
     assert_eq!(lines, [2, 3, 4, 6, 6, 7, 8, 9, 11], "{said}");
     assert_eq!(kernels, ["good", "fine"]);
-    has(&said, &["9 mistakes", "the exponent 1/3", "divides by zero"]);
+    has(&said, &["9 mistakes", "the exponent 1/5", "divides by zero"]);
     let (_, kernels, said) = sheet("good(x):=x^2$ bad(x):=good(x$");
     assert_eq!(kernels, ["good"], "{said}");
     let (lines, kernels, said) = sheet("good(x):=x^2$ fine(x):=good(x)$");
