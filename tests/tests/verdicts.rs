@@ -8,9 +8,10 @@ use closedform_tests::scan::{Row, rows};
 use closedform_tests::{parallel, worksheets};
 
 /// Functions that no row is about, by their names or how these begin, and why they are shipped.
-const NOT_PRINTED: [(&str, &str); 23] = [
+const NOT_PRINTED: [(&str, &str); 24] = [
     ("Ki_c", "the cell of 4.4.1 prints it for another braking, where it is wrong"),
     ("dd1Out_dtIn", "II 1.3 prints the other derivative of the same distance"),
+    ("la_", "no scan looks ahead"),
     ("mt_constant_speed", "the limit of short steps; the scan prints the steps"),
     ("mt_constant_time", "as before"),
     ("mt_cut_time", "the limit of the scan's sum"),
