@@ -237,7 +237,10 @@ const EDGES_OF_OTHERS: [&str; 5] = [
 ];
 
 /// And what is not zero is not twice itself.
-const TWICE: [&str; 5] = [
+const TWICE: [&str; 8] = [
+    "look_ahead::half_turn: `ux # 0 or uy # 0 or uz # 0`, comparison 0: a name is another one",
+    "look_ahead::half_turn: `ux # 0 or uy # 0 or uz # 0`, comparison 1: a name is another one",
+    "look_ahead::half_turn: `ux # 0 or uy # 0 or uz # 0`, comparison 2: a name is another one",
     "milling_time::direction: `x # 0 or y # 0 or z # 0`, comparison 0: a name is another one",
     "milling_time::direction: `x # 0 or y # 0 or z # 0`, comparison 1: a name is another one",
     "milling_time::direction: `x # 0 or y # 0 or z # 0`, comparison 2: a name is another one",
