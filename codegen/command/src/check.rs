@@ -46,8 +46,9 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
         verdicts::check_list(&project.worksheets)?;
     }
     fresh::check(project)?;
-    bounded(project)?;
-    recorded(project)?;
+    let catalogue = Catalogue::load(&project.generated())?;
+    bounded(&catalogue)?;
+    recorded(project, &catalogue)?;
     let generated = project.shown(&project.generated());
     if args.prove {
         fresh::regenerate(project)?;
@@ -73,8 +74,7 @@ fn options(args: &Args) -> Options {
 }
 
 /// Every text of a kernel as checked in proves the bounds that it states.
-fn bounded(project: &Project) -> miette::Result<()> {
-    let catalogue = Catalogue::load(&project.generated())?;
+fn bounded(catalogue: &Catalogue) -> miette::Result<()> {
     let proof = |entry: &Entry| Some((entry.full_name(), certified_bound_proof(&entry.kernel).err()?));
     let refused = catalogue.entries().iter().filter_map(proof);
     let refused = refused.map(|(name, cause)| format!("bound of `{name}`, re-derived from its Rust text: {cause}"));
@@ -83,11 +83,10 @@ fn bounded(project: &Project) -> miette::Result<()> {
 }
 
 /// Every measured error is within its bound, and ledger and table are what was measured.
-fn recorded(project: &Project) -> miette::Result<()> {
-    let catalogue = Catalogue::load(&project.generated())?;
-    let rows = ledger::rows(&project.records, &catalogue, ledger::POINTS)?;
+fn recorded(project: &Project, catalogue: &Catalogue) -> miette::Result<()> {
+    let rows = ledger::rows(&project.records, catalogue, ledger::POINTS)?;
     super::generate::hold(&rows)?;
-    let table = kernel_table::expected(project, &catalogue, &rows).filter(|(expected, present)| expected != present);
+    let table = kernel_table::expected(project, catalogue, &rows).filter(|(expected, present)| expected != present);
     let page = table.and(project.table.as_deref());
     let (expected, present) = ledger::expected(&project.records, &rows)?;
     // a project may do without a ledger
