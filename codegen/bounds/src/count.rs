@@ -62,7 +62,7 @@ impl<'k> Counter<'k> {
         }
     }
 
-    fn slice(&self) -> BigRational {
+    fn compensated_expression(&self) -> BigRational {
         match self.kernel.meta.precision {
             Precision::Double => trusted::compensated(),
             Precision::DoubleDouble | Precision::Certified => trusted::compensated_in_double_double(),
@@ -132,7 +132,7 @@ impl<'k> Counter<'k> {
             Expr::Binary { op, left, right } => self.count_product(*op, (left, right), case, step),
             Expr::If { condition, then, otherwise } => self.count_choice(condition, [then, otherwise], case, step),
             Expr::Extreme { items, .. } => self.count_worst(items, case, step),
-            Expr::Compensated(slice) => self.count_compensated(expr, &slice.operands, case, step),
+            Expr::Compensated(expression) => self.count_compensated(expr, &expression.operands, case, step),
             Expr::Residual(_) => self.refuse(step, Reason::Residual(text(expr))),
             Expr::PositiveRoot(coefficients) => {
                 let worst = self.count_worst(coefficients, case, step)?;
@@ -211,13 +211,13 @@ impl<'k> Counter<'k> {
         }
     }
 
-    fn count_compensated(&self, slice: &'k Expr, operands: &'k [Expr], case: &Case, step: &str) -> Count {
+    fn count_compensated(&self, expression: &'k Expr, operands: &'k [Expr], case: &Case, step: &str) -> Count {
         for operand in operands {
             if !self.count(operand, case, step)?.is_zero() {
-                return self.refuse(step, Reason::Rounded { slice: text(slice), operand: text(operand) });
+                return self.refuse(step, Reason::Rounded { expression: text(expression), operand: text(operand) });
             }
         }
-        Ok(self.slice())
+        Ok(self.compensated_expression())
     }
 
     /// The sign of an expression: from the signs of its parts as they are written, or from its form.
@@ -248,7 +248,7 @@ impl<'k> Counter<'k> {
                 self.learn_atoms(&product, case);
                 part(left).times(part(right)).and(self.search(&product, case, effort))
             }
-            Expr::Compensated(slice) => part(&slice.value),
+            Expr::Compensated(expression) => part(&expression.value),
             Expr::Name(name) => self.forms.step(name.slot).map_or(Sign::ANY, part),
             _ => Sign::ANY,
         }
