@@ -20,8 +20,8 @@ use signs::Signs;
 const LARGEST: u32 = 1000;
 
 /// The largest k of: where every input is 0 or of a magnitude from 2^-k to 2^k, no step of a kernel in `f64` over- or
-/// underflows (in double-double each is tested), and no product inside a compensated expression loses its error. 0 where there is none,
-/// where the kernel finds the root of a polynomial, and where it certifies every call.
+/// underflows (in double-double each is tested), and no product inside a compensated expression loses its error. 0 where
+/// there is none, where the kernel finds the root of a polynomial, and where it certifies every call.
 pub fn ordinary(kernel: &Kernel) -> u32 {
     if kernel.meta.precision == Precision::Certified {
         return 0;

@@ -10,7 +10,8 @@ use miette::bail;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// Run worksheets in Maxima and write their reference expressions and golden values, and the errata of the printed derivations
+/// Run worksheets in Maxima and write their reference expressions and golden values, and the errata of the printed
+/// derivations
 #[derive(Debug, ClapArgs)]
 pub struct Args {
     /// The families; all of the folder if none is named
