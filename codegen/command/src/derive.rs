@@ -28,6 +28,13 @@ pub struct Args {
     limit: Option<u64>,
 }
 
+impl Args {
+    /// Those of these families, with what is usual otherwise.
+    pub fn of(families: impl IntoIterator<Item = String>) -> Self {
+        Self { families: families.into_iter().collect(), folder: None, allow_system: false, limit: None }
+    }
+}
+
 /// Derives all families first, and writes their files then.
 ///
 /// # Errors
@@ -71,7 +78,7 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
         page.write()?;
         said += &page.summary();
     }
-    output::print(&said)?;
+    output::tell(&said)?;
     notes.iter().for_each(|note| output::note(note));
     Ok(())
 }
