@@ -19,6 +19,7 @@
 extern crate std;
 
 mod ball;
+mod bounded;
 mod double;
 mod double_double;
 mod error_free;
@@ -41,6 +42,7 @@ mod soft;
 mod terms;
 pub mod tier;
 
+pub use bounded::{Bounded, Signs};
 pub use double_double::DoubleDouble;
 pub use function::{Function, Operations};
 pub use guarded::Guarded;
