@@ -31,7 +31,9 @@ pub fn check(judge: &Judge, points: &Points) -> Result<f64, String> {
             let bounded = within(values[result], errors[result], &exact);
             if !kept || !bounded {
                 let (fast, value, error) = (fast[result], values[result], errors[result]);
-                return Err(told(format!("{exact:.30}: fast {fast:e} off by {share:e}, with_bound {value:e} +- {error:e}")));
+                return Err(told(format!(
+                    "{exact:.30}: fast {fast:e} off by {share:e}, with_bound {value:e} +- {error:e}"
+                )));
             }
             worst = worst.max(if share.is_finite() { share } else { 0.0 });
         }
