@@ -48,22 +48,28 @@
 extern crate std;
 
 mod error;
+mod fast;
 mod info;
 mod kernel;
 mod shape;
 
 #[cfg(feature = "mpfr")]
 pub use closedform_arith::Mpfr;
+pub use closedform_arith::error_model::bounded::PROMISE as FAST_PROMISE;
 pub use closedform_arith::limits::{MAX_DEGREE, MAX_INPUTS};
-pub use closedform_arith::{DoubleDouble, Function, Operations, Precision, Real, positive_root};
+pub use closedform_arith::{DoubleDouble, Function, Operations, Precision, Real, Signs, positive_root};
 pub use closedform_derive::kernel;
 pub use error::{CallError, DomainError, LengthError, RangeError, RangeReason, ValueError};
 pub use info::{Info, Input, ResultInfo};
-pub use kernel::{Kernel, Program};
+pub use kernel::{Fast, Kernel, Program};
 
 /// What expansions of `#[kernel]` call; not for people.
 #[doc(hidden)]
 pub mod __private {
+    pub use crate::fast::{fast, quick_fast, refined, with_bound};
     pub use crate::shape::{checked, faithful, quick, same_length, single, value};
     pub use closedform_arith::Terms;
+
+    /// Rows of a batch that are computed together: what they need stays in the fastest cache.
+    pub const BLOCK: usize = 256;
 }
