@@ -24,6 +24,7 @@ mod double_double;
 mod error_free;
 pub mod error_model;
 mod exact;
+pub mod factored;
 mod float;
 pub mod function;
 mod guarded;
@@ -31,13 +32,17 @@ pub mod limits;
 mod measured;
 #[cfg(feature = "mpfr")]
 mod mpfr;
+mod operand;
 mod plain;
+mod polynomial;
 mod precision;
 pub mod range;
 mod real;
 mod relation;
 mod root;
+mod rounded;
 mod soft;
+pub mod table;
 mod terms;
 pub mod tier;
 

@@ -5,6 +5,7 @@ use core::fmt;
 #[cfg(feature = "mpfr")]
 use closedform_arith::Mpfr;
 use closedform_arith::Real;
+use closedform_arith::table::Table;
 
 use crate::error::{CallError, LengthError};
 use crate::info::Info;
@@ -14,6 +15,9 @@ use crate::shape::{checked, faithful, single, value};
 pub trait Program<const N: usize, const K: usize, const M: usize> {
     /// What is known of the kernel.
     const INFO: &'static Info;
+
+    /// The program as data, for the interpreter of the finest tier; `None` where it is too large for that.
+    const TABLE: Option<&'static Table<'static>>;
 
     /// The results in any arithmetic, whether or not the inputs lie in the domain.
     fn evaluate<R: Real>(inputs: &[R; N]) -> [R; M];
@@ -31,6 +35,7 @@ pub trait Program<const N: usize, const K: usize, const M: usize> {
 pub struct Kernel {
     /// What is known of it.
     pub info: &'static Info,
+    table: Option<&'static Table<'static>>,
     default: fn(&[f64], &mut [f64]) -> Result<(), LengthError>,
     faithful: fn(&[f64], &mut [f64]) -> Result<(), LengthError>,
     checked: fn(&[f64], &mut [f64]) -> Result<(), CallError>,
@@ -47,6 +52,7 @@ impl Kernel {
     pub const fn of<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>() -> Self {
         Kernel {
             info: P::INFO,
+            table: P::TABLE,
             default: |inputs, results| by_slices(P::INFO, inputs, results, value::<P, N, K, M>),
             faithful: |inputs, results| by_slices(P::INFO, inputs, results, faithful::<P, N, K, M>),
             checked: |inputs, results| store(P::INFO, checked::<P, N, K, M>(fixed(P::INFO, inputs)?)?, results),
@@ -70,6 +76,11 @@ impl Kernel {
     /// ulp where [`ResultInfo::bound_ulp`](crate::ResultInfo::bound_ulp) is known, which takes a proof.
     pub fn faithful(&self, inputs: &[f64], results: &mut [f64]) -> Result<(), LengthError> {
         (self.faithful)(inputs, results)
+    }
+
+    /// The program as data, which one interpreter runs for all kernels; `None` where it is too large for that.
+    pub fn table(&self) -> Option<&'static Table<'static>> {
+        self.table
     }
 
     /// The results, or the condition that the inputs violate, or the result that `f64` cannot hold.

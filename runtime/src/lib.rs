@@ -55,6 +55,8 @@ mod shape;
 #[cfg(feature = "mpfr")]
 pub use closedform_arith::Mpfr;
 pub use closedform_arith::limits::{MAX_DEGREE, MAX_INPUTS};
+pub use closedform_arith::table::{Aim, Certified, Domain, Table, settle};
+pub use closedform_arith::tier::{Fate, Rounded};
 pub use closedform_arith::{DoubleDouble, Function, Operations, Precision, Real, positive_root};
 pub use closedform_derive::kernel;
 pub use error::{CallError, DomainError, LengthError, RangeError, RangeReason, ValueError};
@@ -65,5 +67,6 @@ pub use kernel::{Kernel, Program};
 #[doc(hidden)]
 pub mod __private {
     pub use crate::shape::{checked, faithful, quick, same_length, single, value};
-    pub use closedform_arith::Terms;
+    pub use closedform_arith::table::{Instruction, Source, Sum, Table};
+    pub use closedform_arith::{Function, Relation, Terms};
 }

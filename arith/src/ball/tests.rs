@@ -323,3 +323,48 @@ fn roots_of_polynomials_are_enclosed() {
         assert!(sign(found.next_down()) && !sign(found.next_up()), "{coefficients:?}");
     }
 }
+
+/// What an exact sum gives, and an enclosure of the same polynomial: the same bits, wherever an enclosure tells them.
+#[test]
+fn enclosures_tell_what_exact_sums_give() {
+    use crate::factored::Step;
+    use crate::operand::Operand;
+    use crate::soft::Soft;
+    use crate::terms::Terms;
+
+    let mut random = Random(9);
+    let (mut told, mut zeros) = (0, 0);
+    for round in 0..20_000 {
+        // (a b - c d) (e f - g h), expanded and as it is written
+        let spread = [1, 4, 60, 900][random.below(4) as usize];
+        let mut number = || {
+            let significand = 1.0 + random.word() as f64 / 2_f64.powi(64) * (1.0 - f64::EPSILON);
+            significand * 2_f64.powi(random.below(spread) as i32 - spread as i32 / 2)
+        };
+        let mut values: [f64; 8] = core::array::from_fn(|_| number());
+        match random.below(3) {
+            // the first difference nearly vanishes, or vanishes
+            0 => (values[2], values[3]) = (values[1], values[0]),
+            1 => (values[2], values[3]) = (values[1].next_up(), values[0]),
+            _ => {}
+        }
+        let of = |position: u8| Operand::of(values[usize::from(position)]);
+        let compact = [4, 0, 1, 4, 5, 0x84, 0, 1, 6, 7, 0x84, 2, 3, 4, 5, 4, 2, 3, 6, 7];
+        let difference = |first: u8| {
+            let [a, b, c, d] = [0, 1, 2, 3].map(|after| Step::Operand(first + after));
+            // the second product first, so that it is subtracted in reverse
+            [c, d, Step::Product, a, b, Step::Product, Step::Reversed]
+        };
+        let steps =
+            difference(0).into_iter().chain(difference(4)).chain([Step::Product, Step::Negative, Step::Negative]);
+        let steps: Vec<u8> = steps.map(|step| step.byte().unwrap()).collect();
+        let exact = crate::exact::polynomial(&of, Terms::of(&compact)).unwrap();
+        if let Some(found) = super::polynomial(&of, &steps) {
+            told += 1;
+            zeros += u32::from(found.is_zero());
+            let bits = |soft: Soft| std::format!("{soft:?}");
+            assert_eq!(bits(found), bits(exact), "{round}: {values:?}");
+        }
+    }
+    assert!(told > 19_900 && zeros > 1_000, "{told} told, {zeros} zeros");
+}
