@@ -10,7 +10,8 @@
 //!
 //! Targets: all with floats that round once, as IEEE 754 demands; 32-bit x86 without SSE2 is refused.
 //!
-//! Features: `std` (default) takes `sqrt` from the standard library instead of `libm`; `mpfr` adds `Mpfr`, the
+//! Features: `std` (default) takes `sqrt` from the standard library instead of `libm`; `large-balls` (default) lets
+//! [tables](table) run in more than 256 bits; `mpfr` adds `Mpfr`, the
 //! arithmetic of arbitrary precision in which judges run kernels.
 
 #![no_std]

@@ -51,3 +51,23 @@ impl Rounded {
         Rounded { value, fate }
     }
 }
+
+/// A result in `f64`, and how far it may be from the exact one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Certified {
+    /// The result.
+    pub rounded: Rounded,
+    /// A bound of its error; infinite or NaN where there is none.
+    pub error: f64,
+}
+
+impl Default for Certified {
+    fn default() -> Self {
+        Self::UNDECIDED
+    }
+}
+
+impl Certified {
+    /// Nothing is known.
+    pub(crate) const UNDECIDED: Self = Certified { rounded: Rounded::UNDECIDED, error: f64::NAN };
+}

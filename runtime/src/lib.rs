@@ -35,7 +35,8 @@
 //! last resort, and sums a compensated expression exactly there, some 14 kB (the largest frames of a release build for x86-64: 6.8 kB and
 //! 4.7 kB), as any call of any kernel may.
 //!
-//! Features: `std` (default) takes `sqrt` from the standard library instead of `libm`; `mpfr` adds `Mpfr`, the
+//! Features: `std` (default) takes `sqrt` from the standard library instead of `libm`; `large-balls` (default) lets
+//! [`settle`] take more than 256 bits; `mpfr` adds `Mpfr`, the
 //! arithmetic of arbitrary precision in which judges run kernels.
 
 #![no_std]

@@ -118,9 +118,10 @@ impl CompensatedExpr {
     /// When it has too many terms, factors or operands.
     pub fn new(value: Expr) -> Result<Self, &'static str> {
         let mut operands = Vec::new();
-        let terms = expand(&value, &mut operands)?.iter().flat_map(Product::compact).collect();
+        let terms: Vec<u8> = expand(&value, &mut operands)?.iter().flat_map(Product::compact).collect();
         let threshold = compensated::threshold(error(&value).units);
-        let factored = factored(&value, &operands).filter(|form| form.height <= MAX_STACK);
+        let worth = |form: &Form| form.height <= MAX_STACK && terms.len() > WORTH * form.steps.len();
+        let factored = factored(&value, &operands).filter(worth);
         let factored = factored.map_or_else(Vec::new, |form| form.steps);
         Ok(CompensatedExpr { value: value.into(), operands, terms, factored, threshold })
     }
@@ -135,11 +136,16 @@ impl CompensatedExpr {
         &self.terms
     }
 
-    /// The [factored form](Step), for code that is to hold it; empty where it is too large.
+    /// The [factored form](Step), for code that is to hold it; empty where it is too large, or hardly
+    /// shorter than the terms.
     pub fn factored(&self) -> &[u8] {
         &self.factored
     }
 }
+
+/// How much longer the terms must be than the factored form, in bytes, for it to be worth a try before them. (A byte of
+/// terms takes some 13 ns, a step of the factored form some 40 ns.)
+const WORTH: usize = 3;
 
 /// A factored form, and how many numbers it keeps at once.
 struct Form {

@@ -2,6 +2,7 @@
 
 use super::limbs::{Cut, Limbs};
 use super::radius::Radius;
+use crate::error_model::ball::APART;
 use crate::soft::Soft;
 
 /// A number that is no farther than the radius from the middle.
@@ -53,12 +54,11 @@ impl<const L: usize> Enclosure<L> {
 
     /// Two numbers between which all of it lies, and none of it is one of them.
     ///
-    /// They are four units of the last place farther apart than the radius says, of the larger of middle and radius: a sum
-    /// cuts off less than two of these.
+    /// They are [farther apart](APART) than the radius says: more than what their sums cut off.
     pub(super) fn ends(&self) -> (Limbs<L>, Limbs<L>) {
         let reach: Limbs<L> = self.radius.upper();
         let unit = if self.middle.is_zero() { reach.unit() } else { self.middle.unit().max(reach.unit()) };
-        let reach = self.radius.plus(Radius::power_of_two(unit + 2)).upper();
+        let reach = self.radius.plus(Radius::power_of_two(unit + APART)).upper();
         (self.middle.plus(reach.negated()).0, self.middle.plus(reach).0)
     }
 

@@ -7,28 +7,8 @@ use super::limbs::Limbs;
 use super::radius::Radius;
 use super::{Ball, Kind, Settling};
 use crate::operand::Operand;
-use crate::rounded::Rounded;
+use crate::rounded::{Certified, Rounded};
 use crate::soft::Soft;
-
-/// A result in `f64`, and how far it may be from the exact one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Certified {
-    /// The result.
-    pub rounded: Rounded,
-    /// A bound of its error; infinite or NaN where there is none.
-    pub error: f64,
-}
-
-impl Default for Certified {
-    fn default() -> Self {
-        Self::UNDECIDED
-    }
-}
-
-impl Certified {
-    /// Nothing is known.
-    pub(crate) const UNDECIDED: Self = Certified { rounded: Rounded::UNDECIDED, error: f64::NAN };
-}
 
 impl<'a, const L: usize> Ball<'a, L> {
     /// What no step has computed yet.

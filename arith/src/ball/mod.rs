@@ -22,11 +22,13 @@ use core::cmp::Ordering;
 use crate::error_model::CERTIFIED_RADIUS;
 use crate::float;
 use enclosure::Enclosure;
-pub use end::Certified;
 use limbs::{Cut, Limbs};
 pub(crate) use polynomial::polynomial;
 use radius::Radius;
 use separation::Separation;
+
+/// Balls of so few words do without separation bounds, which take time, and which they seldom are small enough for.
+const WITHOUT_SEPARATION: usize = 4;
 
 /// What a computation in balls leaves open, and how many values it has made so far.
 #[derive(Default)]
@@ -81,7 +83,7 @@ impl<'a, const L: usize> Ball<'a, L> {
             kind: Kind::Number,
             middle: Limbs::from_f64(value),
             radius: Radius::ZERO,
-            separation: Some(Separation::of_dyadic(significand, exponent.into())),
+            separation: (L > WITHOUT_SEPARATION).then(|| Separation::of_dyadic(significand, exponent.into())),
             number: settling.next(),
             settling,
         }

@@ -12,10 +12,14 @@ use crate::soft::Soft;
 ///
 /// What they tell is the value's own, so it is bit for bit what an exact sum gives.
 pub(crate) fn polynomial(operand: &dyn Fn(u8) -> Option<Operand>, steps: &[u8]) -> Option<Soft> {
-    told::<4>(operand, steps)
+    let told_by_four = told::<4>(operand, steps);
+    #[cfg(feature = "large-balls")]
+    return told_by_four
         .or_else(|| told::<8>(operand, steps))
         .or_else(|| told::<16>(operand, steps))
-        .or_else(|| told::<32>(operand, steps))
+        .or_else(|| told::<32>(operand, steps));
+    #[cfg(not(feature = "large-balls"))]
+    told_by_four
 }
 
 #[inline(never)]

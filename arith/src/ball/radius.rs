@@ -3,6 +3,7 @@
 use core::cmp::Ordering;
 
 use super::limbs::Limbs;
+use crate::error_model::ball::UP;
 use crate::float;
 
 /// A number `value * 2^exponent`, the value from 1 to 2 or 0, rounded up by every operation.
@@ -11,9 +12,6 @@ pub(super) struct Radius {
     value: f64,
     exponent: i64,
 }
-
-/// Makes up for the rounding of one operation, and of its own, with much to spare.
-const UP: f64 = 1.0 + 1.0 / (1_u64 << 50) as f64;
 
 impl Radius {
     /// No error.

@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use super::{Instruction, Source, Table};
+use super::format::{Instruction, Source, Table};
 use crate::ball::{Ball, Settling};
 use crate::exact;
 use crate::factored::Stack;

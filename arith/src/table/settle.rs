@@ -1,9 +1,10 @@
 //! A call of a table, in balls of more and more words until everything is decided.
 
-use super::Table;
+use super::format::Table;
 use super::machine::{End, Machine};
-use crate::ball::{Ball, Certified, Settling};
+use crate::ball::{Ball, Settling};
 use crate::factored::Stack;
+use crate::rounded::Certified;
 
 /// Whether inputs lie in the domain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,10 +40,13 @@ pub fn settle(table: &Table, inputs: &[f64], aim: Aim, results: &mut [Certified]
 }
 
 fn in_registers<const R: usize>(table: &Table, inputs: &[f64], aim: Aim, results: &mut [Certified]) -> Domain {
-    let smaller = in_balls::<4, R>(table, inputs, aim, results, false)
+    let found = in_balls::<4, R>(table, inputs, aim, results, cfg!(not(feature = "large-balls")));
+    #[cfg(feature = "large-balls")]
+    let found = found
         .or_else(|| in_balls::<8, R>(table, inputs, aim, results, false))
-        .or_else(|| in_balls::<16, R>(table, inputs, aim, results, false));
-    smaller.or_else(|| in_balls::<32, R>(table, inputs, aim, results, true)).unwrap_or(Domain::Undecided)
+        .or_else(|| in_balls::<16, R>(table, inputs, aim, results, false))
+        .or_else(|| in_balls::<32, R>(table, inputs, aim, results, true));
+    found.unwrap_or(Domain::Undecided)
 }
 
 /// The answer in balls of `L` words; `None` where they are too few and not the last.

@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use closedform_tests::harness::{self, Question};
 use closedform_tests::magnitudes;
 
-const QUESTIONS: [Question; 19] = [
+const QUESTIONS: [Question; 20] = [
     Question::to_all("bound", accuracy::bound),
     Question::to_all("kept", accuracy::kept),
     Question::to_all("formula", accuracy::formula),
@@ -24,6 +24,7 @@ const QUESTIONS: [Question; 19] = [
     Question::to_all("batch", calls::batch),
     Question::to_all("single", calls::single),
     Question::to_all("units", calls::units),
+    Question::to_all("table", calls::table),
     Question { name: "magnitudes", concerns: magnitudes::concerns, answer: magnitudes::answer },
     Question::to_all("golden", sources::golden),
     Question::to_all("proof", sources::proof),
