@@ -1,8 +1,9 @@
 //! The arithmetic of `evaluate` in `f64`, and of the rounding errors that judges look at: `Real` for `f64`.
 
-use crate::exact::{self, Operand};
 use crate::function::Function;
 use crate::measured::Measured;
+use crate::operand::Operand;
+use crate::polynomial::polynomial;
 use crate::real::Real;
 use crate::root;
 use crate::soft::Soft;
@@ -105,7 +106,7 @@ impl Real for f64 {
         if extended.settled(threshold) {
             extended.round()
         } else {
-            exact::polynomial(operands, |operand| Operand::of(*operand), terms).map_or(f64::NAN, Soft::to_f64)
+            polynomial(operands, |operand| Operand::of(*operand), terms).map_or(f64::NAN, Soft::to_f64)
         }
     }
 

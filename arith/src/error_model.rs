@@ -109,6 +109,31 @@ pub mod double_double {
     pub const CUBE_ROOT: f64 = 8.0;
 }
 
+/// Errors of balls: floats of L words, each with a radius.
+///
+/// An operation on middles cuts off less than one unit of the last place, of the frame in which it works, and adds that
+/// unit to the radius where bits were cut off. Besides, with numbers x, y in balls of middles a, b and radii r, s:
+///
+/// - |(x + y) - (a + b)| <= r + s
+/// - |x y - a b| <= |x - a| |y| + |a| |y - b| <= r (|b| + s) + |a| s
+/// - |x/y - a/b| = |(x - a) - (a/b)(y - b)|/|y| <= (r + |a/b| s)/|y|, and |y| >= |b|/2 is demanded
+/// - |max(x, y) - max(a, b)| <= max(r, s), and the same of min
+/// - of a root z of degree d, z = c^(1/d): |p - z| <= |p^d - c|/p^(d-1) for every p > 0, and |x^(1/d) - z| <= |x - c|/z^(d-1)
+/// - of the root of a polynomial, the polynomial has opposite signs at the ends of its ball
+///
+/// Nothing over- or underflows: exponents have 64 bits.
+pub mod ball {
+    use crate::range::power_of_two;
+
+    /// By how much a radius is made larger after each operation on radii, which rounds at most four times, its own product
+    /// with this included: (1 - u)^5 (1 + 2^-50) > 1.
+    pub const UP: f64 = 1.0 + power_of_two(-50);
+
+    /// The exponent of how many units in the last place the ends of a ball are moved apart before they are rounded: sums
+    /// of two numbers cut off less than two units of the larger one's frame, which may be twice as large as before.
+    pub const APART: i64 = 2;
+}
+
 /// Errors of parts of compensated expressions: n u^2 times the sum of the magnitudes of their terms.
 ///
 /// Let parts have errors of a u^2 and b u^2 times their sums. That of their sum is max(a, b) + [`SUM`](compensated::SUM), that of
@@ -201,4 +226,5 @@ const _: () = {
     assert!(CORRECTED_ROOT.to_f64() >= ROUNDING.to_f64() + CORRECTION.to_f64());
     let accepted = range::power_of_two(CERTIFIED_RADIUS) / UNIT;
     assert!(CERTIFIED.to_f64() > 1.0 + accepted && CERTIFIED_ULP > 0.5 + accepted);
+    assert!(ball::UP - 1.0 > 5.0 * UNIT);
 };

@@ -6,8 +6,8 @@
 //! then the terms that are near the largest are summed, and the rest only where these cancel to zero. It is slow, and
 //! meant for the rare point at which a polynomial cancels so far that double-double cannot tell its digits.
 
-use crate::float;
 use crate::limits::{MAX_FACTORS, MAX_TERMS};
+use crate::operand::Operand;
 use crate::soft::Soft;
 use crate::terms::{Term, Terms};
 
@@ -26,38 +26,12 @@ const SHORT: usize = 32;
 /// How many bits below the unit of a sum other terms leave its first 128 alone: those, and carries of all terms.
 const GAP: i64 = 128 + MAX_TERMS.ilog2() as i64;
 
-/// An operand: an integer times a power of two.
-#[derive(Clone, Copy)]
-pub(crate) struct Operand {
-    pub(crate) negative: bool,
-    /// At most 53 bits.
-    pub(crate) significand: u64,
-    pub(crate) exponent: i64,
-}
-
-impl Operand {
-    /// `None` unless finite.
-    pub(crate) fn of(value: f64) -> Option<Self> {
-        let (significand, exponent) = float::significand(value);
-        let exponent = exponent.into();
-        value.is_finite().then_some(Operand { negative: value < 0.0, significand, exponent })
-    }
-}
-
-/// A sum of products of operands.
-///
-/// `None` unless all operands, as `read` reads them, are numbers, and where terms lie so far apart that their sum is
-/// longer than any of `f64`.
-#[cold]
+/// A sum of products of operands; `None` where terms lie so far apart that their sum is longer than any of `f64`.
 #[inline(never)]
-pub(crate) fn polynomial<T>(operands: &[&T], read: fn(&T) -> Option<Operand>, terms: Terms) -> Option<Soft> {
-    if operands.iter().any(|operand| read(operand).is_none()) {
-        return None;
-    }
-    let factor = |position: u8| operands.get(usize::from(position)).and_then(|operand| read(operand));
+pub(crate) fn polynomial(factor: &dyn Fn(u8) -> Option<Operand>, terms: Terms) -> Option<Soft> {
     let mut below = i64::MAX;
     loop {
-        let spans = || terms.filter_map(|term| span(&factor, term.factors)).filter(|(_, high)| *high < below);
+        let spans = || terms.filter_map(|term| span(factor, term.factors)).filter(|(_, high)| *high < below);
         let Some(highest) = spans().map(|(_, high)| high).max() else { return Some(Soft::ZERO) };
         let all = spans().map(|(low, _)| low).min().unwrap_or(highest);
         let fits = |lowest: i64| usize::try_from((highest - lowest) / 64 + 3).ok().filter(|used| *used <= LONGEST);
@@ -70,9 +44,9 @@ pub(crate) fn polynomial<T>(operands: &[&T], read: fn(&T) -> Option<Operand>, te
         };
         let near = Near { lowest, below };
         let sum = if used <= SHORT {
-            Sum([0; SHORT]).of(&factor, terms, near, used)
+            Sum([0; SHORT]).of(factor, terms, near, used)
         } else {
-            Sum([0; LONGEST]).of(&factor, terms, near, used)
+            Sum([0; LONGEST]).of(factor, terms, near, used)
         };
         if !sum.is_zero() {
             return Some(sum);
@@ -100,7 +74,7 @@ struct Near {
 }
 
 /// The exponents of the unit of a product and of a power of two above it; `None` for zero.
-fn span(factor: &impl Fn(u8) -> Option<Operand>, factors: &[u8]) -> Option<(i64, i64)> {
+fn span(factor: &dyn Fn(u8) -> Option<Operand>, factors: &[u8]) -> Option<(i64, i64)> {
     let mut low = 0_i64;
     for &position in factors {
         let operand = factor(position)?;
@@ -123,7 +97,7 @@ struct Product {
 
 impl Product {
     /// `None` for zero.
-    fn of(factor: &impl Fn(u8) -> Option<Operand>, term: Term) -> Option<Self> {
+    fn of(factor: &dyn Fn(u8) -> Option<Operand>, term: Term) -> Option<Self> {
         let mut product = Product { negative: term.negative, words: [0; PRODUCT_WORDS], used: 1, exponent: 0 };
         *product.words.first_mut()? = 1;
         for &position in term.factors {
@@ -153,7 +127,7 @@ struct Sum<const WORDS: usize>([u64; WORDS]);
 
 impl<const WORDS: usize> Sum<WORDS> {
     /// The sum of the terms that are near each other, in the low `used` words.
-    fn of(mut self, factor: &impl Fn(u8) -> Option<Operand>, terms: Terms, near: Near, used: usize) -> Soft {
+    fn of(mut self, factor: &dyn Fn(u8) -> Option<Operand>, terms: Terms, near: Near, used: usize) -> Soft {
         let Near { lowest, below } = near;
         let here = |(low, high)| low >= lowest && high < below;
         let terms = terms.filter(|term| span(factor, term.factors).is_some_and(here));
@@ -214,8 +188,11 @@ mod tests {
     const DIFFERENCE: &[u8] = &[2, 0, 1, 0x82, 2, 3];
 
     fn sum(operands: &[f64], terms: &[u8]) -> f64 {
-        let operands = operands.iter().collect::<std::vec::Vec<_>>();
-        polynomial(&operands, |operand| Operand::of(*operand), Terms::of(terms)).map_or(f64::NAN, Soft::to_f64)
+        if !operands.iter().all(|operand| operand.is_finite()) {
+            return f64::NAN;
+        }
+        let operand = |position: u8| Operand::of(operands[usize::from(position)]);
+        polynomial(&operand, Terms::of(terms)).map_or(f64::NAN, Soft::to_f64)
     }
 
     fn difference(operands: [f64; 4]) -> f64 {

@@ -9,9 +9,10 @@ use core::cmp::Ordering;
 
 use crate::double_double::DoubleDouble;
 use crate::error_free::LARGEST_FACTOR;
-use crate::exact::{self, Operand};
 use crate::function::Function;
 use crate::measured::Measured;
+use crate::operand::Operand;
+use crate::polynomial::polynomial;
 use crate::range;
 use crate::real::Real;
 use crate::root;
@@ -229,7 +230,7 @@ impl<'a, const WATCHED: bool> Real for Guarded<'a, WATCHED> {
             return extended.value().in_range(false);
         }
         let read = |operand: &Self| Operand::of(operand.value.round());
-        let sum = exact::polynomial(operands, read, terms).unwrap_or(Soft::NAN);
+        let sum = polynomial(operands, read, terms).unwrap_or(Soft::NAN);
         let (high, low) = sum.split();
         let value = Guarded { value: DoubleDouble::two_sum(high, low), left: extended.left };
         value.in_range(sum.is_zero())

@@ -10,7 +10,8 @@
 //!
 //! Targets: all with floats that round once, as IEEE 754 demands; 32-bit x86 without SSE2 is refused.
 //!
-//! Features: `std` (default) takes `sqrt` from the standard library instead of `libm`; `mpfr` adds `Mpfr`, the
+//! Features: `std` (default) takes `sqrt` from the standard library instead of `libm`; `large-balls` (default) lets
+//! [tables](table) run in more than 256 bits; `mpfr` adds `Mpfr`, the
 //! arithmetic of arbitrary precision in which judges run kernels.
 
 #![no_std]
@@ -25,6 +26,7 @@ mod double_double;
 mod error_free;
 pub mod error_model;
 mod exact;
+pub mod factored;
 mod float;
 pub mod function;
 mod guarded;
@@ -32,13 +34,17 @@ pub mod limits;
 mod measured;
 #[cfg(feature = "mpfr")]
 mod mpfr;
+mod operand;
 mod plain;
+mod polynomial;
 mod precision;
 pub mod range;
 mod real;
 mod relation;
 mod root;
+mod rounded;
 mod soft;
+pub mod table;
 mod terms;
 pub mod tier;
 

@@ -23,3 +23,13 @@ pub const MAX_TERMS: usize = 1 << 14;
 
 /// The most operands of a compensated expression: terms number them by bytes.
 pub const MAX_OPERANDS: usize = 255;
+
+/// How many numbers the [factored form](crate::factored) of a compensated expression may keep at once: they stand in a fixed
+/// array.
+pub const MAX_STACK: usize = 8;
+
+/// How many registers a [table](crate::table) may have: they stand in a fixed array.
+pub const MAX_REGISTERS: usize = 64;
+
+/// How many conditions a [table](crate::table) may hold at once: they stand in a fixed array.
+pub const MAX_HELD: usize = 16;

@@ -3,9 +3,10 @@
 use core::cell::Cell;
 use core::cmp::Ordering;
 
-use crate::exact::{self, Operand};
 use crate::function::Function;
 use crate::measured::Measured;
+use crate::operand::Operand;
+use crate::polynomial::polynomial;
 use crate::real::Real;
 use crate::root;
 use crate::soft::Soft;
@@ -237,7 +238,7 @@ impl<'a, const WATCHED: bool> Real for Plain<'a, WATCHED> {
         if settled {
             return rounded.if_fine(rounded.value, rounded.value.is_normal());
         }
-        let sum = exact::polynomial(operands, |operand| Operand::of(operand.value), terms).unwrap_or(Soft::NAN);
+        let sum = polynomial(operands, |operand| Operand::of(operand.value), terms).unwrap_or(Soft::NAN);
         let value = sum.to_f64();
         rounded.if_fine(value, value.is_normal() || sum.is_zero())
     }

@@ -96,6 +96,16 @@ impl Soft {
         f64::from_bits((field << 52) + kept + u64::from(up))
     }
 
+    /// Whether it is negative, its bits, the exponent of their unit, and whether there are more; of zero no bits.
+    pub(crate) fn parts(self) -> (bool, u128, i64, bool) {
+        (self.negative, self.bits, self.exponent, self.cut)
+    }
+
+    /// The same bits, of a number that has more.
+    pub(crate) fn with_more(self) -> Self {
+        Soft { cut: true, ..self }
+    }
+
     /// The nearest `f64`, and the nearest to what it leaves off.
     pub(crate) fn split(self) -> (f64, f64) {
         let high = self.to_f64();
@@ -181,7 +191,7 @@ impl Soft {
         Soft { exponent: -127, ..self }
     }
 
-    fn negated(self) -> Self {
+    pub(crate) fn negated(self) -> Self {
         Soft { negative: !self.negative, ..self }
     }
 

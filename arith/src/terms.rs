@@ -20,15 +20,30 @@ impl Term<'_> {
     }
 }
 
-/// The terms of a compensated expression, in order.
+/// The terms of a compensated expression, in order, and the sums and products that it was written as.
 #[derive(Clone, Copy, Debug)]
-pub struct Terms<'a>(&'a [u8]);
+pub struct Terms<'a> {
+    compact: &'a [u8],
+    factored: &'a [u8],
+}
 
 impl<'a> Terms<'a> {
     /// The terms whose [compact forms](Term::compact) stand one after another.
     #[must_use]
     pub const fn of(compact: &'a [u8]) -> Self {
-        Terms(compact)
+        Terms { compact, factored: &[] }
+    }
+
+    /// The same terms, of what these [steps](crate::factored::Step) in their compact form compute too.
+    #[must_use]
+    pub const fn written_as(self, factored: &'a [u8]) -> Self {
+        Terms { factored, ..self }
+    }
+
+    /// The steps that compute the same; none where they are not known.
+    #[must_use]
+    pub const fn factored(&self) -> &'a [u8] {
+        self.factored
     }
 }
 
@@ -36,9 +51,9 @@ impl<'a> Iterator for Terms<'a> {
     type Item = Term<'a>;
 
     fn next(&mut self) -> Option<Term<'a>> {
-        let (&head, rest) = self.0.split_first()?;
+        let (&head, rest) = self.compact.split_first()?;
         let (factors, rest) = rest.split_at_checked(usize::from(head & !NEGATIVE))?;
-        self.0 = rest;
+        self.compact = rest;
         Some(Term { negative: head & NEGATIVE != 0, factors })
     }
 }

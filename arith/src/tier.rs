@@ -13,6 +13,7 @@ use crate::ball::{Ball, Settling};
 use crate::guarded::Guarded;
 use crate::plain::Plain;
 use crate::real::Real;
+pub use crate::rounded::{Fate, Rounded};
 use crate::soft::Soft;
 
 /// A program at a point, in any arithmetic.
@@ -25,57 +26,6 @@ pub trait Steps {
 
     /// The results, whether or not the inputs lie in the domain, each read by `end`.
     fn results<R: Real, T>(&self, number: impl Fn(f64) -> R, end: impl Fn(R) -> T) -> Self::Results<T>;
-}
-
-/// A result in `f64`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rounded {
-    /// The number: infinite where it overflows, NaN where there is none.
-    pub value: f64,
-    /// What rounding made of it.
-    pub fate: Fate,
-}
-
-/// What rounding to `f64` makes of a result.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fate {
-    /// It has the digits that were promised.
-    Kept,
-    /// It is beyond the largest number.
-    Overflows,
-    /// It loses digits below the smallest normal number.
-    Underflows,
-    /// The formula has no value: it divides by zero, or takes the root of a negative number.
-    Missing,
-    /// The largest balls do not tell it, or whether its inputs lie in the domain.
-    Undecided,
-}
-
-impl Rounded {
-    /// A number that is the result, to its digits.
-    fn kept(value: f64) -> Self {
-        Rounded { value, fate: Fate::Kept }
-    }
-
-    fn of(result: Soft) -> Self {
-        let value = result.to_f64();
-        Self::to_nearest(value, result == Soft::from_f64(value))
-    }
-
-    /// A number that was rounded to nearest, and whether that left it as it was; NaN where there was none.
-    fn to_nearest(value: f64, exact: bool) -> Self {
-        let fate = match value {
-            _ if value.is_nan() => Fate::Missing,
-            _ if value.is_infinite() => Fate::Overflows,
-            _ if !value.is_normal() && !exact => Fate::Underflows,
-            _ => Fate::Kept,
-        };
-        Rounded { value, fate }
-    }
-
-    fn undecided() -> Self {
-        Rounded { value: f64::NAN, fate: Fate::Undecided }
-    }
 }
 
 /// The results, or the position of the first condition that does not hold.
@@ -124,7 +74,7 @@ fn attempt<S: Steps, R: Real>(
 
 /// What a certified program answers to finite inputs: each result off by [`CERTIFIED_ULP`](crate::error_model::CERTIFIED_ULP) at most.
 pub fn certified<S: Steps>(steps: &S) -> Answer<S> {
-    let undecided = || Ok(steps.results(Soft::from_f64, |_| Rounded::undecided()));
+    let undecided = || Ok(steps.results(Soft::from_f64, |_| Rounded::UNDECIDED));
     in_balls::<S, 4>(steps)
         .or_else(|| in_balls::<S, 16>(steps))
         .or_else(|| in_balls::<S, 64>(steps))
@@ -147,7 +97,7 @@ fn in_balls<S: Steps, const L: usize>(steps: &S) -> Option<Answer<S>> {
     let results = steps.results(number, |ball| {
         let accepted = ball.accepted();
         open.set(open.get() | accepted.is_none());
-        accepted.map_or_else(Rounded::undecided, |(value, exact)| Rounded::to_nearest(value, exact))
+        accepted.map_or(Rounded::UNDECIDED, |(value, exact)| Rounded::to_nearest(value, exact))
     });
     (!open.get() && !settling.is_unsettled()).then_some(Ok(results))
 }

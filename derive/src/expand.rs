@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use syn::Attribute;
 use syn::ext::IdentExt;
 
-use crate::{info, program};
+use crate::{info, program, table};
 
 /// The expansion of a kernel.
 pub fn kernel(kernel: &Kernel) -> TokenStream {
@@ -104,7 +104,7 @@ impl<'a> Parts<'a> {
         let Parts { inputs, results, sizes, .. } = self;
         let (n, m) = (inputs.len(), results.len());
         let (evaluate, domain) = (program::evaluate(self.kernel), program::domain(self.kernel));
-        let k = self.kernel.requires.len();
+        let (k, table) = (self.kernel.requires.len(), table::table(self.kernel));
         let all = program::inputs();
         let fast = info::fast(self.kernel);
         let slices = Ident::new("__slices", Span::mixed_site());
@@ -114,6 +114,7 @@ impl<'a> Parts<'a> {
             impl ::closedform::Program<#sizes> for Program {
                 const INFO: &'static ::closedform::Info = &INFO;
                 const FAST: ::closedform::Fast<#n> = #fast;
+                const TABLE: ::core::option::Option<&'static ::closedform::Table<'static>> = #table;
 
                 #[inline(always)]
                 fn evaluate<R: ::closedform::Real>(#all: &[R; #n]) -> [R; #m] {

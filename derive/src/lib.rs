@@ -7,6 +7,7 @@ mod expand;
 mod fallback;
 mod info;
 mod program;
+mod table;
 
 use proc_macro2::TokenStream;
 use syn::ItemFn;

@@ -176,7 +176,8 @@ fn compensated(expression: &CompensatedExpr) -> TokenStream {
         Part::Extended(part) => {
             let (extended, operands) = (extended(part), expression.operands.iter().map(borrowed));
             let (threshold, terms) = (expression.threshold, Literal::byte_string(expression.compact_terms()));
-            let terms = quote!(::closedform::__private::Terms::of(#terms));
+            let factored = Literal::byte_string(expression.factored());
+            let terms = quote!(::closedform::__private::Terms::of(#terms).written_as(#factored));
             let value =
                 real("compensated", &[quote!(&#extended), quote!(#threshold), quote!(&[#(#operands),*]), terms]);
             quote!(&#value)

@@ -4,6 +4,7 @@ use core::fmt;
 
 #[cfg(feature = "mpfr")]
 use closedform_arith::Mpfr;
+use closedform_arith::table::Table;
 use closedform_arith::{Real, Signs};
 
 use crate::error::{CallError, LengthError};
@@ -18,6 +19,9 @@ pub trait Program<const N: usize, const K: usize, const M: usize> {
 
     /// What is known of the inputs before `fast` looks at them.
     const FAST: Fast<N> = Fast { ordinary: 0, signs: [Signs::ANY; N] };
+
+    /// The program as data, for the interpreter of the finest tier; `None` where it is too large for that.
+    const TABLE: Option<&'static Table<'static>>;
 
     /// The results in any arithmetic, whether or not the inputs lie in the domain.
     fn evaluate<R: Real>(inputs: &[R; N]) -> [R; M];
@@ -48,6 +52,7 @@ pub struct Fast<const N: usize> {
 pub struct Kernel {
     /// What is known of it.
     pub info: &'static Info,
+    table: Option<&'static Table<'static>>,
     default: fn(&[f64], &mut [f64]) -> Result<(), LengthError>,
     faithful: fn(&[f64], &mut [f64]) -> Result<(), LengthError>,
     checked: fn(&[f64], &mut [f64]) -> Result<(), CallError>,
@@ -67,6 +72,7 @@ impl Kernel {
     pub const fn of<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>() -> Self {
         Kernel {
             info: P::INFO,
+            table: P::TABLE,
             default: |inputs, results| by_slices(P::INFO, inputs, results, value::<P, N, K, M>),
             faithful: |inputs, results| by_slices(P::INFO, inputs, results, faithful::<P, N, K, M>),
             checked: |inputs, results| store(P::INFO, checked::<P, N, K, M>(fixed(P::INFO, inputs)?)?, results),
@@ -93,6 +99,11 @@ impl Kernel {
     /// ulp where [`ResultInfo::bound_ulp`](crate::ResultInfo::bound_ulp) is known, which takes a proof.
     pub fn faithful(&self, inputs: &[f64], results: &mut [f64]) -> Result<(), LengthError> {
         (self.faithful)(inputs, results)
+    }
+
+    /// The program as data, which one interpreter runs for all kernels; `None` where it is too large for that.
+    pub fn table(&self) -> Option<&'static Table<'static>> {
+        self.table
     }
 
     /// The results, or the condition that the inputs violate, or the result that `f64` cannot hold.

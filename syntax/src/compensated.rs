@@ -3,7 +3,8 @@
 //! Interpreter and macro both read compensated expressions by these functions, so they cannot disagree.
 
 use closedform_arith::error_model::compensated;
-use closedform_arith::limits::{MAX_FACTORS, MAX_OPERANDS, MAX_TERMS};
+use closedform_arith::factored::Step;
+use closedform_arith::limits::{MAX_FACTORS, MAX_OPERANDS, MAX_STACK, MAX_TERMS};
 use closedform_arith::{Term, Terms};
 
 use crate::error;
@@ -117,19 +118,68 @@ impl CompensatedExpr {
     /// When it has too many terms, factors or operands.
     pub fn new(value: Expr) -> Result<Self, &'static str> {
         let mut operands = Vec::new();
-        let terms = expand(&value, &mut operands)?.iter().flat_map(Product::compact).collect();
+        let terms: Vec<u8> = expand(&value, &mut operands)?.iter().flat_map(Product::compact).collect();
         let threshold = compensated::threshold(error(&value).units);
-        Ok(CompensatedExpr { value: value.into(), operands, terms, threshold })
+        let worth = |form: &Form| form.height <= MAX_STACK && terms.len() > WORTH * form.steps.len();
+        let factored = factored(&value, &operands).filter(worth);
+        let factored = factored.map_or_else(Vec::new, |form| form.steps);
+        Ok(CompensatedExpr { value: value.into(), operands, terms, factored, threshold })
     }
 
     /// Its terms, as products of its operands.
     pub fn terms(&self) -> Terms<'_> {
-        Terms::of(&self.terms)
+        Terms::of(&self.terms).written_as(&self.factored)
     }
 
     /// The compact form of its terms, for code that is to hold them.
     pub fn compact_terms(&self) -> &[u8] {
         &self.terms
+    }
+
+    /// The [factored form](Step), for code that is to hold it; empty where it is too large, or hardly
+    /// shorter than the terms.
+    pub fn factored(&self) -> &[u8] {
+        &self.factored
+    }
+}
+
+/// How much longer the terms must be than the factored form, in bytes, for it to be worth a try before them. (A byte of
+/// terms takes some 13 ns, a step of the factored form some 40 ns.)
+const WORTH: usize = 3;
+
+/// A factored form, and how many numbers it keeps at once.
+struct Form {
+    steps: Vec<u8>,
+    height: usize,
+}
+
+/// The factored form; `None` where operands are too many. What keeps more numbers comes first.
+fn factored(expr: &Expr, operands: &[Expr]) -> Option<Form> {
+    match expr {
+        Expr::Neg(inner) => {
+            let mut form = factored(inner, operands)?;
+            form.steps.push(Step::Negative.byte()?);
+            Some(form)
+        }
+        Expr::Binary { op, left, right } => {
+            let (left, right) = (factored(left, operands)?, factored(right, operands)?);
+            let exchanged = right.height > left.height;
+            let (mut first, second) = if exchanged { (right, left) } else { (left, right) };
+            let step = match op {
+                BinaryOp::Mul => Step::Product,
+                BinaryOp::Sub if exchanged => Step::Reversed,
+                BinaryOp::Sub => Step::Difference,
+                BinaryOp::Add | BinaryOp::Div => Step::Sum,
+            };
+            first.steps.extend(second.steps);
+            first.steps.push(step.byte()?);
+            Some(Form { height: first.height.max(second.height + 1), ..first })
+        }
+        leaf => {
+            let position = operands.iter().position(|operand| same_leaf(operand, leaf))?;
+            let step = Step::Operand(u8::try_from(position).ok()?).byte()?;
+            Some(Form { steps: vec![step], height: 1 })
+        }
     }
 }
 

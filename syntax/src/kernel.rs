@@ -200,6 +200,8 @@ pub struct CompensatedExpr {
     pub operands: Vec<Expr>,
     /// The compact form of its terms, products of operands.
     pub(crate) terms: Vec<u8>,
+    /// The compact form of the steps that it is written as.
+    pub(crate) factored: Vec<u8>,
     /// How much larger than this times the sum of its terms' magnitudes it must be in double-double to be right.
     pub threshold: f64,
 }

@@ -28,6 +28,7 @@ mod output;
 mod pattern;
 mod print;
 mod scope;
+mod table;
 mod unit;
 mod walk;
 
@@ -44,6 +45,7 @@ pub use limits::check as check_limits;
 pub use magnitude::{input_signs, ordinary, ordinary_when_bounded};
 pub use operations::{operations, operations_of};
 pub use print::{condition_text, expression_text};
+pub use table::{Lowered, LoweredSum, lowered};
 pub use unit::{BASES, Dimension, UnitError};
 
 use proc_macro2::TokenStream;

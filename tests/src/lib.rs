@@ -39,6 +39,7 @@ pub mod scaling;
 pub mod shapes;
 pub mod strategy;
 pub mod sweep;
+pub mod tables;
 pub mod tidy;
 pub mod ulp;
 pub mod worksheets;

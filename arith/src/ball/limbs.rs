@@ -45,6 +45,14 @@ impl<const L: usize> Limbs<L> {
         (number.normalised(), Some(number.unit()))
     }
 
+    /// A number of 128 bits, and the size of what is lost of it.
+    pub(super) fn from_soft(soft: Soft) -> (Self, Option<i64>) {
+        let (negative, bits, exponent, cut) = soft.parts();
+        let high = Self::from_integer(negative, (bits >> 64) as u64, exponent + 64);
+        let (number, lost) = high.plus(Self::from_integer(negative, bits as u64, exponent));
+        (number, lost.or(cut.then_some(exponent)))
+    }
+
     pub(super) fn is_zero(&self) -> bool {
         self.words.last().is_none_or(|leading| *leading == 0)
     }
@@ -64,7 +72,7 @@ impl<const L: usize> Limbs<L> {
     }
 
     /// The exponent of one unit in the last place.
-    fn unit(&self) -> i64 {
+    pub(super) fn unit(&self) -> i64 {
         self.exponent - 64 * L as i64
     }
 
@@ -74,13 +82,18 @@ impl<const L: usize> Limbs<L> {
         word as f64 / 18_446_744_073_709_551_616.0
     }
 
-    /// The nearest `f64`, but for bits beyond the 128th.
+    /// The nearest `f64`.
     pub(super) fn to_f64(self) -> f64 {
+        self.to_soft().to_f64()
+    }
+
+    /// The first 128 bits, and whether there are more.
+    pub(super) fn to_soft(self) -> Soft {
         let mut words = self.words.iter().rev().copied();
         let mut next = || u128::from(words.next().unwrap_or(0));
         let bits = next() << 64 | next();
         let cut = words.any(|word| word != 0);
-        Soft::new(self.negative, bits, self.exponent - 128, cut).to_f64()
+        Soft::new(self.negative, bits, self.exponent - 128, cut)
     }
 
     /// Whether it is this `f64`.
@@ -111,6 +124,19 @@ impl<const L: usize> Limbs<L> {
             (false, true) => Ordering::Greater,
             (false, false) => self.exponent.cmp(&other.exponent).then_with(|| compare(&self.words, &other.words)),
         }
+    }
+
+    pub(super) fn order(&self, other: &Self) -> Ordering {
+        match (self.is_below_zero(), other.is_below_zero()) {
+            (false, false) => self.order_of_magnitudes(other),
+            (true, true) => other.order_of_magnitudes(self),
+            (true, false) => Ordering::Less,
+            (false, true) => Ordering::Greater,
+        }
+    }
+
+    fn is_below_zero(&self) -> bool {
+        self.negative && !self.is_zero()
     }
 
     pub(super) fn plus(self, other: Self) -> Cut<L> {
@@ -180,17 +206,35 @@ impl<const L: usize> Limbs<L> {
     }
 
     /// Shifted so that the leading bit is set.
-    fn normalised(mut self) -> Self {
-        let Some(leading) = self.words.iter().rposition(|word| *word != 0) else { return Self::ZERO };
-        let zeros = self.words.get(leading).map_or(0, |word| word.leading_zeros());
-        let empty = L - 1 - leading;
-        let words = self.words;
-        for (index, word) in self.words.iter_mut().enumerate() {
-            let at = |back: usize| index.checked_sub(back).and_then(|i| words.get(i)).copied().unwrap_or(0);
-            let below = at(empty + 1);
-            *word = at(empty) << zeros | if zeros == 0 { 0 } else { below >> (64 - zeros) };
+    fn normalised(self) -> Self {
+        match self.words.last() {
+            Some(leading) if leading >> 63 == 1 => self,
+            Some(0) => self.moved_up(),
+            Some(leading) => self.shifted_up(leading.leading_zeros()),
+            None => Self::ZERO,
         }
-        self.exponent -= 64 * empty as i64 + i64::from(zeros);
+    }
+
+    /// The same without empty words at its front, shifted so that the leading bit is set.
+    fn moved_up(mut self) -> Self {
+        let Some(leading) = self.words.iter().rposition(|word| *word != 0) else { return Self::ZERO };
+        let empty = L - 1 - leading;
+        self.words.copy_within(..L - empty, empty);
+        self.words.iter_mut().take(empty).for_each(|word| *word = 0);
+        self.exponent -= 64 * empty as i64;
+        self.shifted_up(self.words.last().map_or(0, |word| word.leading_zeros()))
+    }
+
+    /// Shifted by less than a word; no bit that is set leaves.
+    fn shifted_up(mut self, bits: u32) -> Self {
+        if bits == 0 {
+            return self;
+        }
+        let mut below = 0;
+        for word in &mut self.words {
+            (*word, below) = (*word << bits | below, *word >> (64 - bits));
+        }
+        self.exponent -= i64::from(bits);
         self
     }
 }
@@ -201,6 +245,9 @@ fn compare<const L: usize>(a: &[u64; L], b: &[u64; L]) -> Ordering {
 
 /// The words shifted down, and whether a bit was lost.
 fn shifted_down<const L: usize>(words: &[u64; L], distance: i64) -> ([u64; L], bool) {
+    if distance == 0 {
+        return (*words, false);
+    }
     let empty = usize::try_from(distance / 64).unwrap_or(usize::MAX).min(L);
     let bits = (distance % 64) as u32;
     let mut shifted = [0; L];
@@ -234,22 +281,36 @@ fn difference<const L: usize>(a: &[u64; L], b: &[u64; L]) -> [u64; L] {
     words
 }
 
-/// The lower and the upper half of a product.
+/// The lower and the upper half of a product, row by row: what a row makes final is its lowest word.
 fn product<const L: usize>(a: &[u64; L], b: &[u64; L]) -> ([u64; L], [u64; L]) {
     let (mut low, mut high) = ([0; L], [0; L]);
-    for (start, &factor) in a.iter().enumerate() {
-        let mut carry = 0_u64;
-        let places = low.iter_mut().chain(high.iter_mut()).skip(start);
-        for (place, &word) in places.zip(b) {
-            let total = u128::from(factor) * u128::from(word) + u128::from(*place) + u128::from(carry);
-            (*place, carry) = (total as u64, (total >> 64) as u64);
-        }
-        // nothing has been added to this place yet
-        if let Some(place) = high.get_mut(start) {
-            *place = carry;
-        }
+    for (place, &factor) in low.iter_mut().zip(a) {
+        // numbers of few bits leave most words empty
+        let (row, carry) = if factor == 0 { (high, 0) } else { plus_multiple(&high, b, factor) };
+        *place = row.first().copied().unwrap_or(0);
+        high = moved_down(&row, carry);
     }
     (low, high)
+}
+
+/// `words + b * factor`, and the word above.
+#[inline(always)]
+fn plus_multiple<const L: usize>(words: &[u64; L], b: &[u64; L], factor: u64) -> ([u64; L], u64) {
+    let (mut row, mut carry) = ([0; L], 0_u64);
+    for ((place, word), b) in row.iter_mut().zip(words).zip(b) {
+        let total = u128::from(factor) * u128::from(*b) + u128::from(*word) + u128::from(carry);
+        (*place, carry) = (total as u64, (total >> 64) as u64);
+    }
+    (row, carry)
+}
+
+/// All words one place down, and one that enters.
+#[inline(always)]
+fn moved_down<const L: usize>(words: &[u64; L], entering: u64) -> [u64; L] {
+    let mut moved = *words;
+    let mut above = entering;
+    moved.iter_mut().rev().for_each(|word| core::mem::swap(word, &mut above));
+    moved
 }
 
 /// The quotient of two fractions from 1/2 to 1: whether it is 1 or more, what follows the point, and whether nothing is

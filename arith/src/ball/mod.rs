@@ -5,7 +5,10 @@
 //! bound shows that the two sides are equal. What is not decided is said to be [unsettled](Settling): the call is then
 //! computed again with more words.
 
+mod enclosure;
+mod end;
 mod limbs;
+mod polynomial;
 mod radius;
 mod real;
 mod root;
@@ -18,9 +21,14 @@ use core::cmp::Ordering;
 
 use crate::error_model::CERTIFIED_RADIUS;
 use crate::float;
+use enclosure::Enclosure;
 use limbs::{Cut, Limbs};
+pub(crate) use polynomial::polynomial;
 use radius::Radius;
 use separation::Separation;
+
+/// Balls of so few words do without separation bounds, which take time, and which they seldom are small enough for.
+const WITHOUT_SEPARATION: usize = 4;
 
 /// What a computation in balls leaves open, and how many values it has made so far.
 #[derive(Default)]
@@ -75,7 +83,7 @@ impl<'a, const L: usize> Ball<'a, L> {
             kind: Kind::Number,
             middle: Limbs::from_f64(value),
             radius: Radius::ZERO,
-            separation: Some(Separation::of_dyadic(significand, exponent.into())),
+            separation: (L > WITHOUT_SEPARATION).then(|| Separation::of_dyadic(significand, exponent.into())),
             number: settling.next(),
             settling,
         }
@@ -86,10 +94,17 @@ impl<'a, const L: usize> Ball<'a, L> {
         Ball { kind, middle: Limbs::ZERO, radius: Radius::ZERO, separation: None, number, settling }
     }
 
-    fn of(&self, (middle, cut): Cut<L>, radius: Radius, separation: Option<Separation>) -> Self {
-        let radius = cut.map_or(radius, |exponent| radius.plus(Radius::power_of_two(exponent)));
+    fn of(&self, cut: Cut<L>, radius: Radius, separation: Option<Separation>) -> Self {
+        self.enclosed_in(Enclosure::of(cut, radius), separation)
+    }
+
+    fn enclosed_in(&self, Enclosure { middle, radius }: Enclosure<L>, separation: Option<Separation>) -> Self {
         let number = self.settling.next();
         Ball { kind: Kind::Number, middle, radius, separation, number, settling: self.settling }.zero_if_shown()
+    }
+
+    fn enclosure(&self) -> Enclosure<L> {
+        Enclosure { middle: self.middle, radius: self.radius }
     }
 
     /// The exact zero, where the separation bound shows that the value can be nothing else.
@@ -102,7 +117,12 @@ impl<'a, const L: usize> Ball<'a, L> {
 
     /// Whether all of the ball is of one sign.
     fn is_apart_from_zero(&self) -> bool {
-        !self.middle.is_zero() && self.radius.is_less_than(self.middle.leading(), self.middle.exponent())
+        self.enclosure().is_apart_from_zero()
+    }
+
+    /// Whether it is the same value of the computation.
+    fn is_the_same(&self, other: &Self) -> bool {
+        self.number == other.number && self.number != u32::MAX
     }
 
     /// Whether all of the ball is below 2^exponent in magnitude.
@@ -112,12 +132,7 @@ impl<'a, const L: usize> Ball<'a, L> {
 
     /// At least the largest magnitude in the ball.
     fn size(&self) -> Radius {
-        self.middle_size().plus(self.radius)
-    }
-
-    /// At least the magnitude of the middle.
-    fn middle_size(&self) -> Radius {
-        Radius::new(self.middle.leading(), self.middle.exponent())
+        self.enclosure().size()
     }
 
     /// The sign: `None` if it is not decided.
@@ -167,8 +182,7 @@ impl<'a, const L: usize> Ball<'a, L> {
 
     fn plus(&self, other: &Self) -> Self {
         self.without_values(other).unwrap_or_else(|| {
-            let separation = self.joined(other, Separation::plus);
-            self.of(self.middle.plus(other.middle), self.radius.plus(other.radius), separation)
+            self.enclosed_in(self.enclosure().plus(other.enclosure()), self.joined(other, Separation::plus))
         })
     }
 
@@ -178,8 +192,7 @@ impl<'a, const L: usize> Ball<'a, L> {
 
     fn times(&self, other: &Self) -> Self {
         self.without_values(other).unwrap_or_else(|| {
-            let radius = self.radius.times(other.size()).plus(self.middle_size().times(other.radius));
-            self.of(self.middle.times(other.middle), radius, self.joined(other, Separation::times))
+            self.enclosed_in(self.enclosure().times(other.enclosure()), self.joined(other, Separation::times))
         })
     }
 
@@ -197,7 +210,7 @@ impl<'a, const L: usize> Ball<'a, L> {
             return Self::without_value(Kind::Unknown, self.settling);
         }
         let (value, exponent) = (other.middle.leading(), other.middle.exponent());
-        let quotient = self.middle_size().over(value, exponent);
+        let quotient = self.enclosure().middle_size().over(value, exponent);
         let radius = self.radius.plus(quotient.times(other.radius)).over(value, exponent - 1);
         self.of(self.middle.over(other.middle), radius, self.joined(other, Separation::over))
     }
@@ -216,15 +229,8 @@ impl<const L: usize> PartialEq for Ball<'_, L> {
 
 impl<const L: usize> PartialOrd for Ball<'_, L> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        if self.number == other.number && self.number != u32::MAX && self.kind == Kind::Number {
-            return Some(Ordering::Equal);
-        }
-        let difference = self.plus(&other.negated());
-        if difference.kind == Kind::Nothing {
-            return None;
-        }
-        let sign = difference.sign();
-        self.settling.unsettled.set(self.settling.unsettled.get() | sign.is_none());
-        sign
+        let order = self.order(other);
+        self.settling.unsettled.set(self.settling.unsettled.get() | order.is_none());
+        order.flatten()
     }
 }

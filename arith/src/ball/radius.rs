@@ -1,6 +1,10 @@
 //! `Radius`: an upper bound of an error, of any size.
 
+use core::cmp::Ordering;
+
 use super::limbs::Limbs;
+use crate::error_model::ball::UP;
+use crate::float;
 
 /// A number `value * 2^exponent`, the value from 1 to 2 or 0, rounded up by every operation.
 #[derive(Clone, Copy, Debug)]
@@ -8,9 +12,6 @@ pub(super) struct Radius {
     value: f64,
     exponent: i64,
 }
-
-/// Makes up for the rounding of one operation, and of its own, with much to spare.
-const UP: f64 = 1.0 + 1.0 / (1_u64 << 50) as f64;
 
 impl Radius {
     /// No error.
@@ -48,6 +49,28 @@ impl Radius {
     /// A number that is not smaller.
     pub(super) fn upper<const L: usize>(self) -> Limbs<L> {
         Limbs::from_f64(self.value).scaled(self.exponent)
+    }
+
+    /// The larger one.
+    pub(super) fn larger(self, other: Self) -> Self {
+        let rank = |radius: Self| (!radius.is_zero(), radius.exponent);
+        let other_is_larger = match rank(self).cmp(&rank(other)) {
+            Ordering::Equal => self.value < other.value,
+            order => order == Ordering::Less,
+        };
+        if other_is_larger { other } else { self }
+    }
+
+    /// An `f64` that is not smaller; infinite where there is none.
+    pub(super) fn to_f64_above(self) -> f64 {
+        match i32::try_from(self.exponent) {
+            _ if self.is_zero() => 0.0,
+            // one above the nearest of the subnormal numbers, where scaling rounds
+            Ok(exponent @ ..=-1000) => float::scale(self.value, exponent).next_up(),
+            Ok(exponent) => float::scale(self.value, exponent),
+            Err(_) if self.exponent < 0 => f64::from_bits(1),
+            Err(_) => f64::INFINITY,
+        }
     }
 
     pub(super) fn plus(self, other: Self) -> Self {

@@ -72,6 +72,10 @@ fn positive<const L: usize>(middle: Limbs<L>, error: Radius, degree: u32, start:
         }
         let slope = (1..degree).fold(Limbs::from_integer(false, degree.into(), 0), |slope, _| slope.times(root).0);
         (root, _) = root.plus(left.over(slope).0);
+        // a step leaves the square of what it takes off: with half of the digits right before, all are
+        if left.exponent() < -(32 * L as i64) {
+            break;
+        }
     }
     let (left, cut) = residual(radicand, root, degree);
     let by_slope = |error: Radius| (1..degree).fold(error, |error, _| error.over(root.leading(), root.exponent()));

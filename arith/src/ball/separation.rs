@@ -42,7 +42,11 @@ impl Roots {
     }
 
     fn joined(self, other: Self) -> Option<Self> {
-        other.0.into_iter().flatten().try_fold(self, Self::with)
+        match (self.0.first(), other.0.first()) {
+            (_, Some(None)) => Some(self),
+            (Some(None), _) => Some(other),
+            _ => other.0.into_iter().flatten().try_fold(self, Self::with),
+        }
     }
 
     /// The degree of what they generate, at most.

@@ -2,6 +2,8 @@
 
 extern crate std;
 
+mod ends;
+
 use core::cmp::Ordering;
 use std::vec::Vec;
 
@@ -58,7 +60,8 @@ impl Random {
     /// A ball, and a value in it: in the middle, at an end or in between.
     fn ball<'a, const L: usize>(&mut self, settling: &'a Settling) -> (Ball<'a, L>, Float) {
         let words: Vec<u64> = (0..L).map(|_| self.word()).collect();
-        let exponent = self.below(400) as i64 - 200;
+        let range = [400, 400, 4_000][self.below(3) as usize];
+        let exponent = self.below(range) as i64 - range as i64 / 2;
         let (middle, _) = Limbs::<L>::from_fraction(exponent, &words);
         let middle = if self.below(2) == 0 { middle.negated() } else { middle };
         let radius = match self.below(3) {
@@ -98,6 +101,9 @@ fn operations_hold<const L: usize>(rounds: u32, seed: u64) {
         assert!(holds(&a.plus(&b.negated()), &Float::with_val(BITS, &x - &y)), "difference, {round}");
         assert!(holds(&a.times(&b), &Float::with_val(BITS, &x * &y)), "product, {round}");
         assert!(holds(&a.magnitude(), &x.clone().abs()), "magnitude, {round}");
+        let (larger, smaller) = (a.extreme(&b, Ordering::Greater), a.extreme(&b, Ordering::Less));
+        assert!(holds(&larger, &x.clone().max(&y)), "larger, {round}");
+        assert!(holds(&smaller, &x.clone().min(&y)), "smaller, {round}");
         let quotient = a.over(&b);
         if quotient.kind == Kind::Number {
             quotients += 1;

@@ -1,8 +1,9 @@
 //! Programs in integers with an endless exponent: `Real` for `Soft`.
 
 use super::{Kind, Soft};
-use crate::exact::{self, Operand};
 use crate::function::Function;
+use crate::operand::Operand;
+use crate::polynomial::polynomial;
 use crate::real::Real;
 use crate::root;
 use crate::terms::Terms;
@@ -107,7 +108,7 @@ impl Real for Soft {
     /// Exact, but for the bits that are cut off; of operands the first 53 bits count, as in `f64`, with any exponent. Where
     /// terms lie too far apart to be summed exactly, right to 2^-120 of the largest.
     fn compensated(extended: &Self, _: f64, operands: &[&Self], terms: Terms) -> Self {
-        exact::polynomial(operands, |operand| operand.operand(), terms).unwrap_or(*extended)
+        polynomial(operands, |operand| operand.operand(), terms).unwrap_or(*extended)
     }
 
     fn residual(extended: &Self) -> Self {

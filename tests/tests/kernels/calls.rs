@@ -1,12 +1,13 @@
 //! Every shape of a call keeps its promise, and other units change nothing but the unit.
 
+use closedform::Aim;
 use closedform_tests::budget::budget;
 use closedform_tests::check::Judge;
 use closedform_tests::harness::Said;
 use closedform_tests::inputs::{Maker, Points};
 use closedform_tests::random::seed;
 use closedform_tests::scaling::check_scaling;
-use closedform_tests::{fast, shapes};
+use closedform_tests::{fast, shapes, tables};
 
 /// Outside the domain results are NaN, and `checked` names the condition.
 pub fn domain(judge: &Judge) -> Said {
@@ -65,4 +66,19 @@ pub fn units(judge: &Judge) -> Said {
     let mut makers = Maker::ALL.into_iter().filter(|maker| *maker != Maker::Extreme);
     makers.try_for_each(|maker| check_scaling(judge.kernel, &judge.space.inside(maker, seed(), budget().laws)))?;
     Ok(String::new())
+}
+
+/// Tables decide the domain, and hold the exact results within the errors that they state.
+pub fn table(judge: &Judge) -> Said {
+    let points = |maker| judge.space.inside(maker, seed(), budget().points);
+    let inside = Maker::ALL.into_iter().map(points);
+    let outside = judge.space.outside(seed(), budget().points);
+    let judged: usize = inside
+        .chain([outside])
+        .flat_map(|points| [Aim::Certified, Aim::Nearest].map(|aim| tables::check(judge, &points, aim)))
+        .sum::<Result<_, _>>()?;
+    if judged < budget().points {
+        return Err(format!("{}: only {judged} results judged", judge.kernel.info.name));
+    }
+    Ok(format!("{judged} results"))
 }

@@ -25,6 +25,7 @@ const QUESTIONS: [Question; 20] = [
     Question::to_all("fast", calls::fast),
     Question::to_all("single", calls::single),
     Question::to_all("units", calls::units),
+    Question::to_all("table", calls::table),
     Question { name: "magnitudes", concerns: magnitudes::concerns, answer: magnitudes::answer },
     Question::to_all("golden", sources::golden),
     Question::to_all("proof", sources::proof),
