@@ -9,8 +9,8 @@ use closedform_arith::error_model::bounded::PROMISE;
 use closedform_arith::error_model::{CERTIFIED_ULP, UNIT};
 use closedform_arith::{Bounded, Precision, tier};
 
-use crate::info::Info;
-use crate::kernel::Program;
+use crate::info::{Info, ResultInfo};
+use crate::program::Program;
 use crate::shape::{all, answered, ordinary, raise, value, values, where_inside};
 
 /// The results with a relative error of at most [`PROMISE`]; NaN outside the domain.
@@ -107,11 +107,17 @@ pub fn with_bound<P: Program<N, K, M>, const N: usize, const K: usize, const M: 
         return (results.map(|result| result.0), results.map(|result| result.1));
     }
     let values = refined::<P, N, K, M>(inputs);
-    let bound = |result: usize| match P::INFO.results[result].bound_ulp {
+    let mut results = P::INFO.results.iter();
+    let errors = values.map(|value| off(value, results.next().map_or(CERTIFIED_ULP, refined_ulp::<P, N, K, M>)));
+    (values, errors)
+}
+
+/// What a result of [`refined`] may be off by, in ulp.
+fn refined_ulp<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(result: &ResultInfo) -> f64 {
+    match result.bound_ulp {
         Some(ulp) if const { keeps_promise(P::INFO) } => ulp,
         _ => CERTIFIED_ULP,
-    };
-    (values, core::array::from_fn(|result| off(values[result], bound(result))))
+    }
 }
 
 /// What a value with an error of so many ulp, of the exact value, may be off by.

@@ -52,6 +52,7 @@ mod error;
 mod fast;
 mod info;
 mod kernel;
+mod program;
 mod shape;
 
 #[cfg(feature = "mpfr")]
@@ -64,7 +65,8 @@ pub use closedform_arith::{DoubleDouble, Function, Operations, Precision, Real, 
 pub use closedform_derive::kernel;
 pub use error::{CallError, DomainError, LengthError, RangeError, RangeReason, ValueError};
 pub use info::{Info, Input, ResultInfo};
-pub use kernel::{Fast, Kernel, Program};
+pub use kernel::Kernel;
+pub use program::{Fast, Program};
 
 /// What expansions of `#[kernel]` call; not for people.
 #[doc(hidden)]

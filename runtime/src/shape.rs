@@ -11,7 +11,7 @@ use closedform_arith::{Guarded, Plain, Precision, Real};
 
 use crate::error::{DomainError, LengthError, RangeError, ValueError};
 use crate::info::{Info, ResultInfo};
-use crate::kernel::Program;
+use crate::program::Program;
 
 /// The condition that comes before all others.
 const FINITE: &str = "every input is finite";
