@@ -174,6 +174,45 @@ pub mod compensated {
     }
 }
 
+/// Constants of the [arithmetic that bounds its own error](crate::Bounded); the book's page on the error model proves what they
+/// are used for.
+pub mod bounded {
+    use crate::error_model::UNIT;
+    use crate::range::power_of_two;
+
+    /// The relative error that a `fast` call promises.
+    pub const PROMISE: f64 = 1e-13;
+
+    /// The largest count of which anything is proved: (1 + u)^count is at most 1 + 2^-32 then.
+    pub const MOST: u32 = 1 << 20;
+
+    /// One count: (1 + u)^n - 1 <= n u/(1 - n u) <= n u (1 + 2^-32), and one rounding.
+    pub const RELATIVE: f64 = UNIT * (1.0 + ROUNDINGS);
+
+    /// What a bound may be too small by where it was computed in [`MOST`] roundings, and those of a test.
+    pub const ROOM: f64 = 1.0 + ROUNDINGS;
+
+    /// What is left of a promise, which is relative to the exact value, when it is tested against the computed one.
+    pub const KEPT: f64 = 1.0 - ROUNDINGS;
+
+    const ROUNDINGS: f64 = power_of_two(-30);
+
+    /// What a product or quotient of bounds loses when it underflows, and far more. It is a normal number, since processors take
+    /// long over others.
+    pub const UNDERFLOW: f64 = power_of_two(-1000);
+
+    /// The count of an absolute error that is taken for a relative one: a power of two, a quarter of the promise.
+    pub const COLLAPSED: u32 = 256;
+
+    /// How far from an iterate a root is searched for on both sides, as a share of it.
+    pub const ROOT_SHARE: f64 = 64.0 * UNIT;
+
+    /// The count of such a root: the share, and what the two places are rounded by.
+    pub const ROOT: u32 = 68;
+
+    const _: () = assert!(COLLAPSED.is_power_of_two() && 3.0 * COLLAPSED as f64 * UNIT < PROMISE);
+}
+
 // What the derived constants take from the theorems, held when this is compiled.
 const _: () = {
     use compensated as counts;

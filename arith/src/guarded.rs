@@ -1,8 +1,8 @@
 //! `Guarded`: double-double as a program's arithmetic, which says when it leaves its range; what `faithful` runs in.
 //!
-//! A step in range, and a compensated expression, are off by as little as the [error model](crate::error_model) says. What a program computes
-//! without cancellation outside its compensated expressions is therefore right to far better than half a unit, and the leading part of its
-//! result less than one ulp from the true value.
+//! A step in range, and a compensated expression, are off by as little as the [error model](crate::error_model) says.
+//! What a program computes without cancellation outside its compensated expressions is therefore right to far better than
+//! half a unit, and the leading part of its result less than one ulp from the true value.
 
 use core::cell::Cell;
 use core::cmp::Ordering;
@@ -21,8 +21,9 @@ use crate::terms::Terms;
 
 /// A number in double-double; `left` is raised when a step leaves the range.
 ///
-/// Not `WATCHED`, it is for inputs of the kernel's ordinary magnitudes, at which the products inside compensated expressions are
-/// error-free. `WATCHED`, it is for all finite inputs: a compensated expression in which one may not be is summed exactly.
+/// Not `WATCHED`, it is for inputs of the kernel's ordinary magnitudes, at which the products inside compensated
+/// expressions are error-free. `WATCHED`, it is for all finite inputs: a compensated expression in which one may not be
+/// is summed exactly.
 #[derive(Clone, Copy)]
 pub struct Guarded<'a, const WATCHED: bool> {
     value: DoubleDouble,

@@ -2,7 +2,7 @@
 //!
 //! [`Real`] is what a program asks of an arithmetic. The tiers of a call ([`tier`]) are `f64` ([`Plain`]), double-double
 //! ([`Guarded`]), integers with an exponent that never runs out ([`Soft`]), and for certified kernels balls of more and
-//! more words. What functions it can call is a [table](function). [`error_model`] says how far off their operations are, and
+//! more words. [`Bounded`] numbers are `f64` with a bound of their error. What functions it can call is a [table](function). [`error_model`] says how far off their operations are, and
 //! on what authority; [`range`] between which magnitudes that holds; [`limits`] how large a kernel may be. [`Relation`] is
 //! how two numbers compare, in all languages.
 //!
@@ -20,6 +20,7 @@
 extern crate std;
 
 mod ball;
+mod bounded;
 mod double;
 mod double_double;
 mod error_free;
@@ -47,6 +48,7 @@ pub mod table;
 mod terms;
 pub mod tier;
 
+pub use bounded::{Bounded, Signs};
 pub use double_double::DoubleDouble;
 pub use function::{Function, Operations};
 pub use guarded::Guarded;

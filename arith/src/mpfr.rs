@@ -14,7 +14,8 @@ use crate::terms::Terms;
 
 /// A number of arbitrary precision, correctly rounded to nearest by every operation.
 ///
-/// A result takes the larger precision of its operands. A compensated expression is evaluated at that same precision: raise the precision until the result stops changing.
+/// A result takes the larger precision of its operands. A compensated expression is evaluated at that same precision:
+/// raise the precision until the result stops changing.
 #[derive(Clone, Debug, PartialEq, PartialOrd)]
 pub struct Mpfr(pub Float);
 

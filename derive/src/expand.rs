@@ -71,7 +71,10 @@ impl<'a> Parts<'a> {
             self.evaluate(),
             self.checked(),
             self.faithful(),
+            self.fast(),
+            self.with_bound(),
             self.batch(),
+            self.fast_batch(),
             self.single(),
         ];
         quote! {
@@ -103,6 +106,7 @@ impl<'a> Parts<'a> {
         let (evaluate, domain) = (program::evaluate(self.kernel), program::domain(self.kernel));
         let (k, table) = (self.kernel.requires.len(), table::table(self.kernel));
         let all = program::inputs();
+        let fast = info::fast(self.kernel);
         let slices = Ident::new("__slices", Span::mixed_site());
         quote! {
             pub(super) struct Program;
@@ -110,6 +114,7 @@ impl<'a> Parts<'a> {
             impl ::closedform::Program<#sizes> for Program {
                 const INFO: &'static ::closedform::Info = &INFO;
                 const TABLE: ::core::option::Option<&'static ::closedform::Table<'static>> = #table;
+                const FAST: ::closedform::Fast<#n> = #fast;
 
                 #[inline(always)]
                 fn evaluate<R: ::closedform::Real>(#all: &[R; #n]) -> [R; #m] {
@@ -128,6 +133,15 @@ impl<'a> Parts<'a> {
                     let [#(#inputs),*] = #all;
                     let [#(#results),*] = #slices;
                     self::batch(#(#inputs,)* #(#results),*)
+                }
+
+                fn fast_batch(
+                    #all: [&[f64]; #n],
+                    #slices: [&mut [f64]; #m],
+                ) -> ::core::result::Result<(), ::closedform::LengthError> {
+                    let [#(#inputs),*] = #all;
+                    let [#(#results),*] = #slices;
+                    self::fast_batch(#(#inputs,)* #(#results),*)
                 }
             }
         }
@@ -184,33 +198,100 @@ impl<'a> Parts<'a> {
         }
     }
 
+    fn fast(&self) -> TokenStream {
+        let Parts { inputs, results, sizes, .. } = self;
+        let returned = self.returned(&quote!(super::));
+        let output = self.output(&quote!(super::));
+        quote! {
+            /// The value with a relative error of at most 1e-13; NaN outside the domain. Most calls take `f64` alone.
+            #[must_use]
+            #[inline]
+            pub fn fast(#(#inputs: f64),*) -> #returned {
+                let [#(#results),*] = ::closedform::__private::fast::<Program, #sizes>(&[#(#inputs),*]);
+                #output
+            }
+        }
+    }
+
+    fn with_bound(&self) -> TokenStream {
+        let Parts { inputs, results, sizes, .. } = self;
+        let returned = self.returned(&quote!(super::));
+        let output = self.output(&quote!(super::));
+        let (values, errors) = (Ident::new("__values", Span::mixed_site()), Ident::new("__errors", Span::mixed_site()));
+        quote! {
+            /// The value, and a bound of its absolute error at these inputs; NaN outside the domain.
+            #[must_use]
+            pub fn with_bound(#(#inputs: f64),*) -> (#returned, #returned) {
+                let (#values, #errors) =
+                    ::closedform::__private::with_bound::<Program, #sizes>(&[#(#inputs),*]);
+                let [#(#results),*] = #values;
+                let #values = #output;
+                let [#(#results),*] = #errors;
+                (#values, #output)
+            }
+        }
+    }
+
     fn batch(&self) -> TokenStream {
+        self.rows_in_blocks(
+            "batch",
+            "The values of many points, bit for bit those of single calls; inputs first, then one slice a result.",
+            ["quick", "value"],
+        )
+    }
+
+    fn fast_batch(&self) -> TokenStream {
+        self.rows_in_blocks(
+            "fast_batch",
+            "What [`fast`] returns of many points; inputs first, then one slice a result.",
+            ["quick_fast", "refined"],
+        )
+    }
+
+    /// A batch, by blocks: all rows `quick`, which has no branch, and those again that this leaves in doubt.
+    fn rows_in_blocks(&self, name: &str, documentation: &str, [quick, again]: [&str; 2]) -> TokenStream {
         let Parts { inputs, results, sizes, .. } = self;
         let checks = self.length_checks();
         let values: Vec<_> =
             (0..results.len()).map(|i| format_ident!("__value_{i}", span = Span::mixed_site())).collect();
-        let doubt = Ident::new("__doubt", Span::mixed_site());
-        let (first, again) = (self.rows(), self.rows());
+        let [name, quick, again] = [name, quick, again].map(|name| Ident::new(name, Span::call_site()));
+        let [doubt, doubts, row, any] =
+            ["__doubt", "__doubts", "__row", "__any"].map(|name| Ident::new(name, Span::mixed_site()));
+        let (pattern, blocks) = self.zipped(
+            |input| quote!(#input.chunks(::closedform::__private::BLOCK)),
+            |result| quote!(#result.chunks_mut(::closedform::__private::BLOCK)),
+        );
+        let (_, rows) = self.zipped(|input| quote!(#input.iter()), |result| quote!(#result.iter_mut()));
         quote! {
-            /// The values of many points, bit for bit those of single calls; inputs first, then one slice a result.
+            #[doc = #documentation]
             ///
             /// # Errors
             ///
             /// When a slice is not as long as the first one. Then nothing is written.
-            pub fn batch(
+            pub fn #name(
                 #(#inputs: &[f64],)*
                 #(#results: &mut [f64]),*
             ) -> ::core::result::Result<(), ::closedform::LengthError> {
                 #checks
-                let #doubt = ::core::cell::Cell::new(0);
-                #first {
-                    let [#(#values),*] = ::closedform::__private::quick::<Program, #sizes>(&[#(*#inputs),*], &#doubt);
-                    #(*#results = #values;)*
-                }
-                if #doubt.get() != 0 {
-                    #again {
-                        let [#(#values),*] = ::closedform::__private::value::<Program, #sizes>(&[#(*#inputs),*]);
+                for #pattern in #blocks {
+                    let mut #doubts = [0; ::closedform::__private::BLOCK];
+                    let mut #any = 0;
+                    for (#pattern, #row) in #rows.zip(&mut #doubts) {
+                        let #doubt = ::core::cell::Cell::new(0);
+                        let [#(#values),*] =
+                            ::closedform::__private::#quick::<Program, #sizes>(&[#(*#inputs),*], &#doubt);
                         #(*#results = #values;)*
+                        *#row = #doubt.get();
+                        #any |= #doubt.get();
+                    }
+                    if #any != 0 {
+                        for (#pattern, #row) in #rows.zip(&#doubts) {
+                            if *#row != 0 {
+                                let [#(#values),*] =
+                                    ::closedform::__private::#again::<Program, #sizes>(&[#(*#inputs),*]);
+                                #(*#results = #values;)*
+                            }
+                        }
                     }
                 }
                 ::core::result::Result::Ok(())
@@ -233,14 +314,18 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// The head of a loop over the rows of a batch. Zipped slices need no bounds checks.
-    fn rows(&self) -> TokenStream {
-        let inputs = self.inputs.iter().map(|input| (quote!(#input), quote!(#input.iter())));
-        let results = self.results.iter().map(|result| (quote!(#result), quote!(#result.iter_mut())));
+    /// A pattern and an iterator of all inputs and results together. Zipped slices need no bounds checks.
+    fn zipped(
+        &self,
+        input: impl Fn(&Ident) -> TokenStream,
+        result: impl Fn(&Ident) -> TokenStream,
+    ) -> (TokenStream, TokenStream) {
+        let inputs = self.inputs.iter().map(|name| (quote!(#name), input(name)));
+        let results = self.results.iter().map(|name| (quote!(#name), result(name)));
         let zipped = inputs.chain(results).reduce(|(pattern, rows), (next_pattern, next_rows)| {
             (quote!((#pattern, #next_pattern)), quote!(#rows.zip(#next_rows)))
         });
-        zipped.map(|(pattern, rows)| quote!(for #pattern in #rows)).unwrap_or_default()
+        zipped.unwrap_or_default()
     }
 
     fn single(&self) -> TokenStream {

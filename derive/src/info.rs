@@ -1,6 +1,8 @@
 //! The constant `INFO`.
 
-use closedform_syntax::{Input, Kernel, Precision, ResultMeta, operations, ordinary};
+use closedform_syntax::{
+    Input, Kernel, Precision, ResultMeta, input_signs, operations, ordinary, ordinary_when_bounded,
+};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 use syn::ext::IdentExt;
@@ -42,6 +44,16 @@ pub fn info(kernel: &Kernel) -> TokenStream {
             ordinary: #ordinary,
         }
     }
+}
+
+/// What is known of the inputs before `fast` looks at them, as an expression.
+pub fn fast(kernel: &Kernel) -> TokenStream {
+    let ordinary = ordinary_when_bounded(kernel);
+    let signs = input_signs(kernel).into_iter().map(|signs| {
+        let (negative, positive) = (signs.negative, signs.positive);
+        quote!(::closedform::Signs { negative: #negative, positive: #positive })
+    });
+    quote!(::closedform::Fast { ordinary: #ordinary, signs: [#(#signs),*] })
 }
 
 fn full_name(kernel: &Kernel) -> String {

@@ -58,10 +58,11 @@ use syn::ItemFn;
 ///
 /// # What it becomes
 ///
-/// The function itself, NaN outside its domain, and a module of the same name: `checked`, `faithful`, `batch`, `f32`,
-/// `evaluate` in any arithmetic, `INFO` and `KERNEL`. Steps may over- and underflow, results may not: where `f64` cannot
-/// hold one, the function returns an infinity or what is left of its digits, and `checked` an error. Where a formula has no
-/// value, since it divides by zero or takes the root of a negative number, the function returns NaN.
+/// The function itself, NaN outside its domain, and a module of the same name: `checked`, `faithful`, `fast`, `with_bound`,
+/// `batch`, `fast_batch`, `f32`, `evaluate` in any arithmetic, `INFO` and `KERNEL`. Steps may over- and underflow, results
+/// may not: where `f64` cannot hold one, the function returns an infinity or what is left of its digits, and `checked` an
+/// error. Where a formula has no value, since it divides by zero or takes the root of a negative number, the function
+/// returns NaN.
 ///
 /// The function is off by no more than its bound where it states one, and `faithful` by less than one ulp. Without a
 /// bound neither promises anything: `faithful` computes the same steps in double-double, which keeps most digits of

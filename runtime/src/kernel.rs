@@ -4,10 +4,11 @@ use core::fmt;
 
 #[cfg(feature = "mpfr")]
 use closedform_arith::Mpfr;
-use closedform_arith::Real;
 use closedform_arith::table::Table;
+use closedform_arith::{Real, Signs};
 
 use crate::error::{CallError, LengthError};
+use crate::fast::{fast, with_bound};
 use crate::info::Info;
 use crate::shape::{checked, faithful, single, value};
 
@@ -19,6 +20,9 @@ pub trait Program<const N: usize, const K: usize, const M: usize> {
     /// The program as data, for the interpreter of the finest tier; `None` where it is too large for that.
     const TABLE: Option<&'static Table<'static>>;
 
+    /// What is known of the inputs before `fast` looks at them.
+    const FAST: Fast<N> = Fast { ordinary: 0, signs: [Signs::ANY; N] };
+
     /// The results in any arithmetic, whether or not the inputs lie in the domain.
     fn evaluate<R: Real>(inputs: &[R; N]) -> [R; M];
 
@@ -27,6 +31,19 @@ pub trait Program<const N: usize, const K: usize, const M: usize> {
 
     /// The results in `f64` for slices of equal length.
     fn batch(inputs: [&[f64]; N], results: [&mut [f64]; M]) -> Result<(), LengthError>;
+
+    /// What [`fast`](Kernel::fast) returns, for slices of equal length.
+    fn fast_batch(inputs: [&[f64]; N], results: [&mut [f64]; M]) -> Result<(), LengthError>;
+}
+
+/// What is known of the inputs of a program before `fast` looks at them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fast<const N: usize> {
+    /// The k of: where every input is 0 or of a magnitude from 2^-k to 2^k, no step of a program in `f64` over- or underflows.
+    /// 0 where no k is known: then each step is looked at.
+    pub ordinary: u32,
+    /// The signs that inputs have in the domain. Its conditions tell them, of inputs alone.
+    pub signs: [Signs; N],
 }
 
 /// A kernel as a value, called by slices: `inputs` in the order of [`Info::inputs`], `results` in that of
@@ -39,7 +56,10 @@ pub struct Kernel {
     default: fn(&[f64], &mut [f64]) -> Result<(), LengthError>,
     faithful: fn(&[f64], &mut [f64]) -> Result<(), LengthError>,
     checked: fn(&[f64], &mut [f64]) -> Result<(), CallError>,
+    fast: fn(&[f64], &mut [f64]) -> Result<(), LengthError>,
+    with_bound: fn(&[f64], &mut [f64], &mut [f64]) -> Result<(), LengthError>,
     batch: Batch,
+    fast_batch: Batch,
     single: fn(&[f32], &mut [f32]) -> Result<(), LengthError>,
     #[cfg(feature = "mpfr")]
     mpfr: fn(&[Mpfr], &mut [Mpfr]) -> Result<(), LengthError>,
@@ -56,11 +76,14 @@ impl Kernel {
             default: |inputs, results| by_slices(P::INFO, inputs, results, value::<P, N, K, M>),
             faithful: |inputs, results| by_slices(P::INFO, inputs, results, faithful::<P, N, K, M>),
             checked: |inputs, results| store(P::INFO, checked::<P, N, K, M>(fixed(P::INFO, inputs)?)?, results),
-            batch: |inputs, results| {
-                let inputs = fixed(P::INFO, inputs)?;
-                let results = fixed_mut(P::INFO, results)?;
-                P::batch(*inputs, results.each_mut().map(|result| &mut **result))
+            fast: |inputs, results| by_slices(P::INFO, inputs, results, fast::<P, N, K, M>),
+            with_bound: |inputs, results, errors| {
+                let (values, bounds) = with_bound::<P, N, K, M>(fixed(P::INFO, inputs)?);
+                store::<_, LengthError, M>(P::INFO, values, results)?;
+                store(P::INFO, bounds, errors)
             },
+            batch: |inputs, results| by_columns(P::INFO, inputs, results, P::batch),
+            fast_batch: |inputs, results| by_columns(P::INFO, inputs, results, P::fast_batch),
             single: |inputs, results| by_slices(P::INFO, inputs, results, single::<P, N, K, M>),
             #[cfg(feature = "mpfr")]
             mpfr: |inputs, results| by_slices(P::INFO, inputs, results, P::evaluate::<Mpfr>),
@@ -86,6 +109,22 @@ impl Kernel {
     /// The results, or the condition that the inputs violate, or the result that `f64` cannot hold.
     pub fn checked(&self, inputs: &[f64], results: &mut [f64]) -> Result<(), CallError> {
         (self.checked)(inputs, results)
+    }
+
+    /// The results with a relative error of at most [`FAST_PROMISE`](crate::FAST_PROMISE), NaN outside the domain or where
+    /// nothing decides.
+    pub fn fast(&self, inputs: &[f64], results: &mut [f64]) -> Result<(), LengthError> {
+        (self.fast)(inputs, results)
+    }
+
+    /// The results, and a bound of the absolute error of each, certified for these inputs.
+    pub fn with_bound(&self, inputs: &[f64], results: &mut [f64], errors: &mut [f64]) -> Result<(), LengthError> {
+        (self.with_bound)(inputs, results, errors)
+    }
+
+    /// The results of many points, bit for bit those of [`fast`](Self::fast).
+    pub fn fast_batch(&self, inputs: &[&[f64]], results: &mut [&mut [f64]]) -> Result<(), LengthError> {
+        (self.fast_batch)(inputs, results)
     }
 
     /// The results of many points, one slice an input and one a result, bit for bit those of [`eval`](Self::eval).
@@ -119,6 +158,18 @@ fn by_slices<T, const N: usize, const M: usize>(
     evaluate: fn(&[T; N]) -> [T; M],
 ) -> Result<(), LengthError> {
     store(info, evaluate(fixed(info, inputs)?), results)
+}
+
+/// Calls `batch` with arrays of slices.
+fn by_columns<const N: usize, const M: usize>(
+    info: &'static Info,
+    inputs: &[&[f64]],
+    results: &mut [&mut [f64]],
+    batch: fn([&[f64]; N], [&mut [f64]; M]) -> Result<(), LengthError>,
+) -> Result<(), LengthError> {
+    let inputs = fixed(info, inputs)?;
+    let results = fixed_mut(info, results)?;
+    batch(*inputs, results.each_mut().map(|result| &mut **result))
 }
 
 /// Moves `values` to `results`.

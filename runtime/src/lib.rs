@@ -32,8 +32,8 @@
 //! The arithmetics that kernels run in are those of `closedform-arith`.
 //!
 //! Stack: kernels never allocate and never recurse. Most calls need a kilobyte or two; one that ends in the arithmetic of
-//! last resort, and sums a compensated expression exactly there, some 14 kB (the largest frames of a release build for x86-64: 6.8 kB and
-//! 4.7 kB), as any call of any kernel may.
+//! last resort, and sums a compensated expression exactly there, some 14 kB (the largest frames of a release build for
+//! x86-64: 6.8 kB and 4.7 kB), as any call of any kernel may.
 //!
 //! Features: `std` (default) takes `sqrt` from the standard library instead of `libm`; `large-balls` (default) lets
 //! [`settle`] take more than 256 bits; `mpfr` adds `Mpfr`, the
@@ -49,25 +49,31 @@
 extern crate std;
 
 mod error;
+mod fast;
 mod info;
 mod kernel;
 mod shape;
 
 #[cfg(feature = "mpfr")]
 pub use closedform_arith::Mpfr;
+pub use closedform_arith::error_model::bounded::PROMISE as FAST_PROMISE;
 pub use closedform_arith::limits::{MAX_DEGREE, MAX_INPUTS};
 pub use closedform_arith::table::{Aim, Certified, Domain, Table, settle};
 pub use closedform_arith::tier::{Fate, Rounded};
-pub use closedform_arith::{DoubleDouble, Function, Operations, Precision, Real, positive_root};
+pub use closedform_arith::{DoubleDouble, Function, Operations, Precision, Real, Signs, positive_root};
 pub use closedform_derive::kernel;
 pub use error::{CallError, DomainError, LengthError, RangeError, RangeReason, ValueError};
 pub use info::{Info, Input, ResultInfo};
-pub use kernel::{Kernel, Program};
+pub use kernel::{Fast, Kernel, Program};
 
 /// What expansions of `#[kernel]` call; not for people.
 #[doc(hidden)]
 pub mod __private {
+    pub use crate::fast::{fast, quick_fast, refined, with_bound};
     pub use crate::shape::{checked, faithful, quick, same_length, single, value};
     pub use closedform_arith::table::{Instruction, Source, Sum, Table};
     pub use closedform_arith::{Function, Relation, Terms};
+
+    /// Rows of a batch that are computed together: what they need stays in the fastest cache.
+    pub const BLOCK: usize = 256;
 }

@@ -34,14 +34,18 @@ pub fn quick<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize
         return values(answer::<P, N, K, M>(inputs));
     }
     let (results, domain) = unless_in_doubt::<P, N, K, M>(inputs, doubt);
-    where_inside(results, domain)
+    where_inside(results, domain, f64::NAN)
 }
 
-/// The results where all conditions hold, else NaN.
+/// The results where all conditions hold, else what stands for none.
 #[inline(always)]
-fn where_inside<const K: usize, const M: usize>(results: [f64; M], domain: [bool; K]) -> [f64; M] {
+pub(crate) fn where_inside<T: Copy, const K: usize, const M: usize>(
+    results: [T; M],
+    domain: [bool; K],
+    none: T,
+) -> [T; M] {
     let inside = all(domain);
-    results.map(|result| if inside { result } else { f64::NAN })
+    results.map(|result| if inside { result } else { none })
 }
 
 /// Results and domain in the precision of the kernel, unless `doubt` is raised.
@@ -64,7 +68,7 @@ fn in_plain<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>
     inputs: &[f64; N],
     doubt: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
-    let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO, inputs)), Cell::new(false));
+    let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO.ordinary, inputs)), Cell::new(false));
     let domain = P::domain(&inputs.map(|value| Plain::<false>::new(value, &of_domain)));
     let results = P::evaluate(&inputs.map(|value| Plain::<false>::new(value, &of_results))).map(Plain::value);
     raise(doubt, domain, of_domain.get(), of_results.get());
@@ -77,7 +81,7 @@ fn in_double_double<P: Program<N, K, M>, const N: usize, const K: usize, const M
     inputs: &[f64; N],
     doubt: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
-    let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO, inputs)), Cell::new(false));
+    let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO.ordinary, inputs)), Cell::new(false));
     let domain = P::domain(&inputs.map(|value| Guarded::<false>::new(value, &of_domain)));
     let results = P::evaluate(&inputs.map(|value| Guarded::<false>::new(value, &of_results))).map(Guarded::round);
     raise(doubt, domain, of_domain.get(), of_results.get());
@@ -87,26 +91,26 @@ fn in_double_double<P: Program<N, K, M>, const N: usize, const K: usize, const M
 /// Raises `doubt` for that of the domain, and that of the results where they are asked for. An integer is what compilers
 /// see through when they vectorise.
 #[inline(always)]
-fn raise<const K: usize>(doubt: &Cell<u64>, domain: [bool; K], of_domain: bool, of_results: bool) {
+pub(crate) fn raise<const K: usize>(doubt: &Cell<u64>, domain: [bool; K], of_domain: bool, of_results: bool) {
     doubt.set(doubt.get() | u64::from(of_domain | (all(domain) & of_results)));
 }
 
-/// Whether every input is 0 or of a magnitude at which no step over- or underflows.
+/// Whether every input is 0 or of a magnitude from 2^-`exponent` to 2^`exponent`.
 #[inline(always)]
-fn ordinary<const N: usize>(info: &Info, inputs: &[f64; N]) -> bool {
-    let exponent = u64::from(info.ordinary);
+pub(crate) fn ordinary<const N: usize>(exponent: u32, inputs: &[f64; N]) -> bool {
+    let exponent = u64::from(exponent);
     let (least, most) = (f64::from_bits((1023 - exponent) << 52), f64::from_bits((1023 + exponent) << 52));
     let ordinary = |input: &f64| (*input == 0.0) | ((input.abs() >= least) & (input.abs() <= most));
     inputs.iter().fold(true, |all, input| all & ordinary(input))
 }
 
 #[inline(always)]
-fn all<const K: usize>(domain: [bool; K]) -> bool {
+pub(crate) fn all<const K: usize>(domain: [bool; K]) -> bool {
     domain.iter().fold(true, |all, holds| all & holds)
 }
 
 /// A compiled program at a point.
-struct Compiled<'a, P, const N: usize, const K: usize, const M: usize> {
+pub(crate) struct Compiled<'a, P, const N: usize, const K: usize, const M: usize> {
     inputs: &'a [f64; N],
     program: PhantomData<P>,
 }
@@ -143,7 +147,7 @@ fn answer<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
 }
 
 #[inline(always)]
-fn answered<'a, P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+pub(crate) fn answered<'a, P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &'a [f64; N],
     tiers: fn(&Compiled<'a, P, N, K, M>) -> Result<[Rounded; M], usize>,
 ) -> Result<[Rounded; M], &'static str> {
@@ -154,7 +158,7 @@ fn answered<'a, P: Program<N, K, M>, const N: usize, const K: usize, const M: us
 }
 
 /// The numbers of an answer; NaN where it has none.
-fn values<const M: usize>(answer: Result<[Rounded; M], &'static str>) -> [f64; M] {
+pub(crate) fn values<const M: usize>(answer: Result<[Rounded; M], &'static str>) -> [f64; M] {
     answer.map_or([f64::NAN; M], |results| results.map(|result| result.value))
 }
 
@@ -168,7 +172,7 @@ pub fn faithful<P: Program<N, K, M>, const N: usize, const K: usize, const M: us
     if doubt.get() != 0 {
         return values(faithful_answer::<P, N, K, M>(inputs));
     }
-    where_inside(results, domain)
+    where_inside(results, domain, f64::NAN)
 }
 
 /// The same where the quick way is in doubt.

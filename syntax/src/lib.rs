@@ -42,7 +42,7 @@ pub use kernel::{
     BinaryOp, CompensatedExpr, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Require, ResultMeta,
 };
 pub use limits::check as check_limits;
-pub use magnitude::ordinary;
+pub use magnitude::{input_signs, ordinary, ordinary_when_bounded};
 pub use operations::{operations, operations_of};
 pub use print::{condition_text, expression_text};
 pub use table::{Lowered, LoweredSum, lowered};

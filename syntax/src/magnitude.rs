@@ -9,7 +9,7 @@ mod bounds;
 mod compensated;
 mod signs;
 
-use closedform_arith::Precision;
+use closedform_arith::{Precision, Signs as InputSigns};
 
 use crate::kernel::{BinaryOp, Condition, Expr, Kernel};
 
@@ -20,44 +20,71 @@ use signs::Signs;
 const LARGEST: u32 = 1000;
 
 /// The largest k of: where every input is 0 or of a magnitude from 2^-k to 2^k, no step of a kernel in `f64` over- or
-/// underflows (in double-double each is tested), and no product inside a compensated expression loses its error. 0 where there is none,
-/// where the kernel finds the root of a polynomial, and where it certifies every call.
+/// underflows (in double-double each is tested), and no product inside a compensated expression loses its error. 0 where
+/// there is none, where the kernel finds the root of a polynomial, and where it certifies every call.
 pub fn ordinary(kernel: &Kernel) -> u32 {
     if kernel.meta.precision == Precision::Certified {
         return 0;
     }
-    let (mut stays, mut leaves) = (0, LARGEST + 1);
-    while leaves - stays > 1 {
-        let middle = stays.midpoint(leaves);
-        *(if kernel_stays(kernel, middle.into()) { &mut stays } else { &mut leaves }) = middle;
+    largest(|exponent| kernel_stays(kernel, exponent))
+}
+
+/// The same of the arithmetic that [bounds its own error](closedform_arith::Bounded), in which a compensated expression is
+/// what `f64` makes of it.
+pub fn ordinary_when_bounded(kernel: &Kernel) -> u32 {
+    largest(|exponent| stays_in(kernel, Arithmetic::Bounded, exponent))
+}
+
+/// The signs that inputs have in the domain, as far as its conditions compare them with numbers.
+pub fn input_signs(kernel: &Kernel) -> Vec<InputSigns> {
+    let mut signs = Signs::of_inputs();
+    kernel.requires.iter().for_each(|require| signs.learn(&require.condition));
+    kernel.inputs.iter().map(|input| signs.of_input(&input.name)).collect()
+}
+
+/// The largest exponent at which all `stays`; 0 where there is none.
+fn largest(stays: impl Fn(i64) -> bool) -> u32 {
+    let (mut known, mut leaves) = (0, LARGEST + 1);
+    while leaves - known > 1 {
+        let middle = known.midpoint(leaves);
+        *(if stays(middle.into()) { &mut known } else { &mut leaves }) = middle;
     }
-    stays
+    known
+}
+
+/// The arithmetics that calls begin with.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Arithmetic {
+    Double,
+    DoubleDouble,
+    Bounded,
 }
 
 /// Whether no step over- or underflows at inputs of these exponents, in the arithmetics that calls begin with.
 fn kernel_stays(kernel: &Kernel, exponent: i64) -> bool {
     // `faithful` begins with double-double in any case
     let in_f64 = kernel.meta.precision == Precision::Double;
-    stays_in(kernel, Precision::DoubleDouble, exponent) && (!in_f64 || stays_in(kernel, Precision::Double, exponent))
+    stays_in(kernel, Arithmetic::DoubleDouble, exponent) && (!in_f64 || stays_in(kernel, Arithmetic::Double, exponent))
 }
 
-fn stays_in(kernel: &Kernel, precision: Precision, exponent: i64) -> bool {
+fn stays_in(kernel: &Kernel, arithmetic: Arithmetic, exponent: i64) -> bool {
     let inputs = vec![Bounds::float(-exponent, exponent); kernel.inputs.len()];
-    let mut signs = Signs::default();
+    // what is rounded at every step may have another sign than conditions tell of it
+    let mut signs = if arithmetic == Arithmetic::Bounded { Signs::of_inputs() } else { Signs::default() };
     for require in &kernel.requires {
         // Where an earlier condition does not hold, nobody looks at a later one.
-        let walk = Walk { precision, signs: &signs, slots: inputs.clone() };
+        let walk = Walk { arithmetic, signs: &signs, slots: inputs.clone() };
         if walk.condition(&require.condition).is_none() {
             return false;
         }
         signs.learn(&require.condition);
     }
-    Walk { precision, signs: &signs, slots: inputs }.evaluation(kernel).is_some()
+    Walk { arithmetic, signs: &signs, slots: inputs }.evaluation(kernel).is_some()
 }
 
 /// What is known of inputs and steps, in order.
 struct Walk<'a> {
-    precision: Precision,
+    arithmetic: Arithmetic,
     signs: &'a Signs,
     slots: Vec<Bounds>,
 }
@@ -98,6 +125,8 @@ impl Walk<'_> {
                 self.condition(condition)?;
                 self.any([&**then, &**otherwise].into_iter())
             }
+            Expr::Compensated(expression) if self.arithmetic == Arithmetic::Bounded => self.value(&expression.value),
+            Expr::Residual(expression) if self.arithmetic == Arithmetic::Bounded => self.value(expression),
             Expr::Compensated(expression) => {
                 self.stays(compensated::compensated(expression, self.signs, &|leaf| self.value(leaf))?, Bounds::normal)
             }
@@ -111,7 +140,7 @@ impl Walk<'_> {
 
     /// The number in double-double, or in `f64` if it is `fine`.
     fn stays(&self, number: Bounds, fine: fn(Bounds) -> Option<Bounds>) -> Option<Bounds> {
-        if self.precision == Precision::DoubleDouble { Some(number.tested()) } else { fine(number) }
+        if self.arithmetic == Arithmetic::DoubleDouble { Some(number.tested()) } else { fine(number) }
     }
 
     /// What is known of a value that is one of these.
@@ -181,6 +210,23 @@ mod tests {
         assert_eq!(of("let s = x - y * x; compensated!(s * x - y)"), 305);
         assert_eq!(of("let s = x - y * x; compensated!(s * s * x - y)"), 68);
         assert_eq!(of("let s = x - y * x; compensated!(s * s * s - y)"), 0);
+    }
+
+    #[test]
+    fn what_bounds_its_error_takes_no_sign_for_granted_but_those_of_inputs() {
+        let of = |body: &str| {
+            let source = format!("#[kernel]\npub fn f(x: f64, y: f64) -> f64 {{ {body} }}");
+            let kernel = crate::parse_file(&source).unwrap().remove(0);
+            (ordinary_when_bounded(&kernel), input_signs(&kernel))
+        };
+        use InputSigns as S;
+        let (told, signs) = of("require!(x > 0.0 && 0.0 >= y); let s = x - y; s * s * s");
+        assert_eq!((told, signs), (340, vec![S::NOT_NEGATIVE, S::NOT_POSITIVE]));
+        // x y - 1 is a multiple of what the product is rounded to, and no condition makes it larger
+        let rounded = "let s = compensated!(x * y - 1.0); s * s * s";
+        let (told, signs) = of(&format!("require!(compensated!(x * y - 1.0) > 0.0); {rounded}"));
+        assert_eq!((told, signs), (of(rounded).0, vec![S::ANY, S::ANY]));
+        assert_eq!(of("positive_root([-abs(x), 0.0, 1.0])").0, 0);
     }
 
     #[test]

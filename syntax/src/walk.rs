@@ -3,8 +3,8 @@
 use crate::kernel::{CompensatedExpr, Condition, Expr, Kernel};
 
 impl Expr {
-    /// The expressions directly inside, in order; of an `if` those that its condition compares come first, and of a compensated expression
-    /// it is what is written in it.
+    /// The expressions directly inside, in order; of an `if` those that its condition compares come first, and of a
+    /// compensated expression it is what is written in it.
     pub fn children(&self) -> Vec<&Expr> {
         match self {
             Expr::Literal { .. } | Expr::Name(_) | Expr::Pi(_) => Vec::new(),
@@ -18,7 +18,8 @@ impl Expr {
         }
     }
 
-    /// The same expression of other [children](Self::children), as many as it has; `None` where a compensated expression of them is too large.
+    /// The same expression of other [children](Self::children), as many as it has; `None` where a compensated expression
+    /// of them is too large.
     pub fn with_children(&self, children: Vec<Expr>) -> Option<Expr> {
         let mut children = children.into_iter();
         let mut next = || children.next().map(Box::new);

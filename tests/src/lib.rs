@@ -20,6 +20,7 @@ pub mod cycles;
 pub mod domain;
 pub mod errata;
 pub mod failure;
+pub mod fast;
 pub mod golden;
 pub mod harness;
 pub mod inputs;

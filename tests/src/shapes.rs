@@ -134,7 +134,7 @@ pub fn check_batch(judge: &Judge, points: &Points) -> Result<(), String> {
 }
 
 /// Equal bits; every NaN is the same.
-fn same_bits(left: &[f64], right: &[f64]) -> bool {
+pub fn same_bits(left: &[f64], right: &[f64]) -> bool {
     let same = |(left, right): (&f64, &f64)| left.to_bits() == right.to_bits() || left.is_nan() && right.is_nan();
     left.len() == right.len() && left.iter().zip(right).all(same)
 }

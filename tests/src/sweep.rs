@@ -14,7 +14,8 @@ use crate::ulp::{self, F64};
 /// Bits of the first two evaluations; more where they disagree.
 const PRECISIONS: (u32, u32) = (192, 256);
 
-/// Bits at which the program is given up, and those at which it is believed to vanish: no compensated expression of doubles has more.
+/// Bits at which the program is given up, and those at which it is believed to vanish: no compensated expression of
+/// doubles has more.
 const MOST_PRECISE: u32 = 1 << 16;
 const VANISHES: u32 = 1 << 15;
 

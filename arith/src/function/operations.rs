@@ -36,7 +36,8 @@ macro_rules! operations {
                 [$((Function::$function, self.$field)),*].into_iter()
             }
 
-            /// All counts but that of compensated expressions, whose operations count: the key, what one is called, and the number.
+            /// All counts but that of compensated expressions, whose operations count: the key, what one is called, and
+            /// the number.
             pub fn named(&self) -> impl Iterator<Item = (&'static str, &'static str, u32)> {
                 let Self { add, mul, div, compensated, root, .. } = *self;
                 let calls = self.calls().map(|(function, count)| (function.name(), function.properties().noun, count));

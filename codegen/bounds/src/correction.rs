@@ -180,7 +180,8 @@ impl<'k> Proof<'_, 'k> {
         }
     }
 
-    /// Whether the magnitudes of a compensated expression's terms are bounded by those of its coefficients, whatever the signs of inputs.
+    /// Whether the magnitudes of a compensated expression's terms are bounded by those of its coefficients, whatever the
+    /// signs of inputs.
     fn terms_are_few(&self, coefficients: &[Polynomial], expression: &'k Expr) -> bool {
         let operations = operations(expression);
         let noise = trusted::double_double_operation() * integer(operations) * integer(2 * TERMS);

@@ -1,4 +1,4 @@
-//! Counting roundings, each sum on condition that it does not cancel.
+//! Counts roundings. The count of a sum holds because its terms have one sign; where they may cancel there is no count.
 
 use crate::case::{CASES, Case, alternatives};
 use crate::correction;
@@ -54,7 +54,7 @@ impl<'k> Counter<'k> {
         }
     }
 
-    /// The count of what comes after the last step: of rounding to a double what is none.
+    /// The count of the last step: a value in double-double is rounded to `f64`.
     pub(crate) fn last_rounding(&self) -> BigRational {
         match self.kernel.meta.precision {
             Precision::Double => BigRational::zero(),
@@ -73,7 +73,7 @@ impl<'k> Counter<'k> {
         Err(Refusal { kernel: self.kernel.name.to_string(), step: step.to_owned(), reason })
     }
 
-    /// The cases of the whole domain, and its comparisons that rounding may turn.
+    /// The cases of the whole domain, and the comparisons in it that rounding may decide wrongly.
     pub fn domain(&self) -> (Vec<Case>, Vec<Refusal>) {
         let mut cases = vec![Case::default()];
         let mut refusals = Vec::new();
@@ -98,8 +98,8 @@ impl<'k> Counter<'k> {
         case.split(&alternatives(condition, holds, &compare))
     }
 
-    /// The difference that a comparison compares with zero, if rounding cannot turn its result: both sides are exact, or
-    /// one is zero and the other one not off by all of its digits.
+    /// The difference whose sign decides a comparison, if rounding cannot change that sign. It cannot if both sides are
+    /// exact, or if one side is zero and some digits of the other one are right.
     fn decided(&self, condition: &'k Condition, case: &Case) -> Option<Polynomial> {
         let Condition::Compare { left, right, .. } = condition else { return None };
         let (a, b) = (self.count(left, case, "require").ok()?, self.count(right, case, "require").ok()?);
@@ -158,7 +158,8 @@ impl<'k> Counter<'k> {
         values.iter().try_fold(BigRational::zero(), |worst, value| Ok(worst.max(self.count(value, case, step)?)))
     }
 
-    /// The larger count of the sides, where rounding cannot turn the condition or the sides are the same function.
+    /// The larger count of the two sides. It holds if rounding cannot change what the condition says, or if both sides are
+    /// the same function, so that either may be taken.
     fn count_choice(&self, condition: &'k Condition, sides: [&'k Expr; 2], case: &Case, step: &str) -> Count {
         let [then, otherwise] = sides;
         let then_count = self.count_branch(self.cases(condition, true, case), then, step)?;
@@ -292,7 +293,7 @@ impl<'k> Counter<'k> {
         form.atoms().into_iter().for_each(|atom| self.learn_atom(atom, case));
     }
 
-    /// Makes a case know the sign of an atom, from what it stands for.
+    /// Tells a case the sign of an atom, which follows from the expression that the atom stands for.
     fn learn_atom(&self, atom: Atom, case: &Case) {
         if !case.learnt.borrow_mut().insert(atom) {
             return;

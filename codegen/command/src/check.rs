@@ -41,7 +41,7 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     let options = options(args);
     if args.maxima {
         errata::check_live(&project.worksheets, &options.maxima)?;
-        output::print(&live::check(project, &options)?)?;
+        output::tell(&live::check(project, &options)?)?;
     } else {
         errata::check_list(&project.worksheets)?;
     }
@@ -52,16 +52,16 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     let generated = project.shown(&project.generated());
     if args.prove {
         fresh::regenerate(project)?;
-        output::print(&format!("proved: {generated} is what the references generate, each kernel equal to its own\n"))?;
+        output::tell(&format!("proved: {generated} is what the references generate, each kernel equal to its own\n"))?;
     } else {
-        output::print(&format!(
+        output::tell(&format!(
             "fresh: {generated} is as it was generated, of references as they are; bounds proved\n"
         ))?;
-        output::print(&equal::check(project)?)?;
+        output::tell(&equal::check(project)?)?;
     }
     if args.prove && args.maxima {
         live::prove(project, &options)?;
-        output::print("live: every kernel is proved equal to what Maxima derives\n")?;
+        output::tell("live: every kernel is proved equal to what Maxima derives\n")?;
     }
     Ok(())
 }

@@ -10,7 +10,8 @@ use miette::bail;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// Run worksheets in Maxima and write their reference expressions and golden values, and the errata of the printed derivations
+/// Run worksheets in Maxima and write their reference expressions and golden values, and the errata of the printed
+/// derivations
 #[derive(Debug, ClapArgs)]
 pub struct Args {
     /// The families; all of the folder if none is named
@@ -25,6 +26,13 @@ pub struct Args {
     /// all commands
     #[arg(long, value_name = "SECONDS")]
     limit: Option<u64>,
+}
+
+impl Args {
+    /// Those of these families, with what is usual otherwise.
+    pub fn of(families: impl IntoIterator<Item = String>) -> Self {
+        Self { families: families.into_iter().collect(), folder: None, allow_system: false, limit: None }
+    }
 }
 
 /// Derives all families first, and writes their files then.
@@ -70,7 +78,7 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
         page.write()?;
         said += &page.summary();
     }
-    output::print(&said)?;
+    output::tell(&said)?;
     notes.iter().for_each(|note| output::note(note));
     Ok(())
 }

@@ -83,7 +83,7 @@ pub fn check_live(folder: &Path, maxima: &Maxima) -> miette::Result<()> {
         return Err(stale(&errata, &page, &text).into());
     }
     let outputs = errata.stated().len();
-    Ok(output::print(&format!("live: the verdict on each of {outputs} printed outputs is what Maxima finds\n"))?)
+    Ok(output::tell(&format!("live: the verdict on each of {outputs} printed outputs is what Maxima finds\n"))?)
 }
 
 fn present(errata: &Errata) -> Result<String, StalePage> {

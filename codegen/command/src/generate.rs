@@ -1,16 +1,21 @@
 //! `closedform generate`: references to kernels, proved and measured; or a worksheet of one's own to a crate of its own.
 
-use super::{columns, kernel_table};
+mod summary;
+mod watch;
+
+use super::{derive, kernel_table};
 use crate::own_crate::{self, Draft, Runtime};
 use crate::worker::{self, Source};
 use clap::Args as ClapArgs;
+use closedform_build::stale;
 use closedform_measure::ledger;
+use closedform_measure::ledger::change::changes;
 use closedform_project::Project;
 use closedform_project::folder;
 use closedform_project::generated::Made;
 use closedform_system::output;
 use miette::{IntoDiagnostic, WrapErr, bail};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Make the kernels from the reference expressions
@@ -26,6 +31,9 @@ pub struct Args {
     /// that this command was built from, as a relative path]
     #[arg(long, value_name = "WHERE")]
     runtime: Option<Runtime>,
+    /// Again at every change of a worksheet or contract, which Maxima derives first where it has to, until Ctrl-C
+    #[arg(long)]
+    watch: bool,
     /// A row for every kernel, not one a family
     #[arg(long)]
     all: bool,
@@ -41,9 +49,26 @@ pub struct Args {
 /// When a family is wrong, a kernel cannot be made or proved, or files cannot be written.
 pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     match (&args.input, &args.out) {
+        (Some(input), Some(out)) if args.watch => {
+            let folder = input.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+            watch::run(folder, || own_crate(args, input, out, project))
+        }
         (Some(input), Some(out)) => own_crate(args, input, out, project),
+        _ if args.watch => watch::run(&project.worksheets, || {
+            derive_changed(project)?;
+            whole(args, project)
+        }),
         _ => whole(args, project),
     }
+}
+
+/// Lets Maxima run the worksheets that were changed since it ran them.
+fn derive_changed(project: &Project) -> miette::Result<()> {
+    let stale = stale(&project.generated(), &project.worksheets).into_diagnostic()?;
+    let derived = stale.iter().filter(|stale| stale.path.starts_with(&project.worksheets));
+    let families = derived.filter_map(|stale| Some(stale.path.file_stem()?.to_string_lossy().into_owned()));
+    let families: BTreeSet<String> = families.collect();
+    if families.is_empty() { Ok(()) } else { derive::run(&derive::Args::of(families), project) }
 }
 
 /// The kernels of the whole project.
@@ -62,13 +87,16 @@ fn whole(args: &Args, project: &Project) -> miette::Result<()> {
     let rows = ledger::rows(&project.records, &catalogue, args.points)?;
     hold(&rows)?;
     let files = draft.whole(project.judges)?;
+    let (_, ledger) = ledger::expected(&project.records, &rows)?;
+    let changes = changes(&ledger, &rows, args.points == ledger::POINTS);
     let notes = own_crate::found(&project.kernels, &args.runtime.clone().unwrap_or_default(), &project.root)?;
     let mut changed = write(&project.generated(), &files)?;
     if args.points == ledger::POINTS {
         changed += usize::from(kernel_table::update(project, &catalogue, &rows)?);
         changed += usize::from(ledger::update(&project.records, &rows)?);
     }
-    report(&generated.kernels, &rows, args.all)?;
+    let table = if args.all { summary::each_kernel } else { summary::each_family };
+    output::tell(&table(&generated.kernels, &rows, &changes))?;
     notes.iter().for_each(|note| output::note(note));
     remark(&generated.kernels);
     output::note(&format!(
@@ -83,7 +111,7 @@ fn own_crate(args: &Args, input: &Path, out: &Path, project: &Project) -> miette
     let generated = worker::run(&Source::Worksheet(input.to_owned()))?;
     let draft = Draft::new(&generated)?;
     let rows = ledger::rows(&out.join("records"), &draft.catalogue()?, args.points)?;
-    report(&generated.kernels, &rows, true)?;
+    output::tell(&summary::each_kernel(&generated.kernels, &rows, &[]))?;
     remark(&generated.kernels);
     hold(&rows)?;
     let runtime = args.runtime.clone().unwrap_or_default();
@@ -106,33 +134,6 @@ fn write(target: &Path, files: &BTreeMap<String, String>) -> miette::Result<usiz
         );
     }
     folder::replace(target, files).into_diagnostic().wrap_err_with(|| format!("cannot write {}", target.display()))
-}
-
-/// Prints what was made: a row for every kernel, or for every family.
-fn report(made: &[Made], rows: &[ledger::Row], all: bool) -> miette::Result<()> {
-    let table = if all { each_kernel(made, rows) } else { each_family(made, rows) };
-    Ok(output::print(&table)?)
-}
-
-fn each_kernel(made: &[Made], rows: &[ledger::Row]) -> String {
-    let lines = made.iter().map(|kernel| {
-        let worst = format!("{:.2}", ledger::worst_of(rows, &kernel.kernel));
-        [kernel.kernel.clone(), worst, kernel.bound.to_string(), kernel.rules.join(" ")]
-    });
-    columns::text(["kernel", "worst ulp", "bound", "rules"], lines)
-}
-
-fn each_family(made: &[Made], rows: &[ledger::Row]) -> String {
-    let mut families: BTreeMap<&str, Vec<&Made>> = BTreeMap::new();
-    for kernel in made {
-        families.entry(kernel.kernel.split("::").next().unwrap_or_default()).or_default().push(kernel);
-    }
-    let line = |(family, kernels): (&&str, &Vec<&Made>)| {
-        let worst = kernels.iter().map(|kernel| ledger::worst_of(rows, &kernel.kernel)).fold(0.0, f64::max);
-        let bound = kernels.iter().map(|kernel| kernel.bound).fold(0.0, f64::max);
-        [(*family).to_owned(), kernels.len().to_string(), format!("{worst:.2}"), bound.to_string()]
-    };
-    columns::text(["family", "kernels", "worst ulp", "largest bound"], families.iter().map(line))
 }
 
 /// What the owner of a formula should know of its kernel.

@@ -1,12 +1,15 @@
 //! The command `closedform`: reads its arguments and says what went wrong.
 
+mod bar;
 mod bound;
 mod check;
 mod columns;
+mod completions;
 mod derive;
 mod description;
 mod errata;
 mod eval;
+mod examples;
 mod generate;
 mod kernel_table;
 mod ledger;
@@ -20,7 +23,7 @@ mod show;
 mod verify;
 mod worker;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use closedform_project::Project;
 use closedform_system::output::{self, OutputError};
 use std::io::{self, Write};
@@ -34,6 +37,9 @@ struct Cli {
     /// The project, if not the one around the current folder
     #[arg(long, global = true, value_name = "DIR")]
     root: Option<PathBuf>,
+    /// Say nothing but errors and what was asked for
+    #[arg(long, short, global = true)]
+    quiet: bool,
     #[command(subcommand)]
     command: Command,
 }
@@ -51,6 +57,8 @@ enum Command {
     Ledger(ledger::Args),
     Mutants(mutants::Args),
     Bound(bound::Args),
+    Completions(completions::Completions),
+    Man(completions::Man),
     /// Plan a move: times, peaks against limits, and the table that a controller takes
     Plan(motion::Args),
     /// The same, with a picture
@@ -58,7 +66,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let done = match Cli::try_parse() {
+    let done = match read() {
         Ok(cli) => run(cli),
         Err(answer) if answer.use_stderr() => answer.exit(),
         // help and version
@@ -68,12 +76,26 @@ fn main() -> ExitCode {
         Ok(code) => code,
         Err(report) => {
             match report.downcast_ref::<OutputError>() {
-                Some(full) => output::note(&format!("closedform: {full}")),
-                None => output::note(&format!("{report:?}")),
+                Some(full) => output::warn(&format!("closedform: {full}")),
+                None => output::warn(&format!("{report:?}")),
             }
             ExitCode::FAILURE
         }
     }
+}
+
+/// The command with all that its help says.
+fn command() -> clap::Command {
+    examples::with_examples(Cli::command()).after_help(
+        "Exit codes: 0 when all is done and right, 1 when something is wrong or cannot be done, 2 when the command line is not \
+         understood.",
+    )
+}
+
+fn read() -> Result<Cli, clap::Error> {
+    let mut command = command();
+    let matches = command.try_get_matches_from_mut(std::env::args_os())?;
+    Cli::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
 }
 
 fn said(answer: &clap::Error) -> miette::Result<ExitCode> {
@@ -82,6 +104,9 @@ fn said(answer: &clap::Error) -> miette::Result<ExitCode> {
 }
 
 fn run(cli: Cli) -> miette::Result<ExitCode> {
+    if cli.quiet {
+        output::be_quiet();
+    }
     let project = || Project::find(cli.root.as_deref());
     match cli.command {
         Command::Plan(args) => return motion::run("plan", &args),
@@ -97,6 +122,8 @@ fn run(cli: Cli) -> miette::Result<ExitCode> {
         Command::Ledger(args) => ledger::run(&args, &project()?)?,
         Command::Mutants(args) => mutants::run(&args, &project()?)?,
         Command::Bound(args) => bound::run(&args)?,
+        Command::Completions(args) => completions::print(&args, command())?,
+        Command::Man(args) => completions::write_manual(&args, command())?,
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -7,10 +7,10 @@ use std::panic::resume_unwind;
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use miette::Diagnostic;
 use thiserror::Error;
 
+use crate::bar::progress_bar;
 use closedform_measure::catalogue::Catalogue;
 use closedform_mutants::{Effort, Lists, MutateError, Outcome, Unneeded, examine};
 use closedform_project::Project;
@@ -91,7 +91,7 @@ fn judged(
     names: &[String],
     lists: &Lists,
 ) -> Result<Vec<Result<Outcome, MutateError>>, MutateError> {
-    let bar = progress_bar(names.len() as u64);
+    let bar = progress_bar(names.len() as u64, "{bar:30} {pos}/{len} {msg}");
     let queue = Mutex::new(names.iter().enumerate());
     let next = || queue.lock().unwrap_or_else(PoisonError::into_inner).next();
     // Trees do not cross threads: each reads the sources itself.
@@ -140,11 +140,4 @@ fn summary(survivors: usize, unneeded: usize, unjudged: usize) -> String {
         count(unjudged, "kernel was not judged", "kernels were not judged"),
     ];
     parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
-}
-
-/// A bar on standard error; hidden where that is no terminal.
-fn progress_bar(kernels: u64) -> ProgressBar {
-    let style =
-        ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::with_draw_target(Some(kernels), ProgressDrawTarget::stderr()).with_style(style)
 }

@@ -27,7 +27,7 @@ pub fn run(args: &Args) -> miette::Result<()> {
     let notes = own_crate::start(&args.folder, &args.runtime.clone().unwrap_or_default())?;
     notes.iter().for_each(|note| output::note(note));
     let project = Project::at(&args.folder)?;
-    output::print(&format!(
+    output::tell(&format!(
         "a project in {folder}\n\
          \x20 {worksheets}  the derivation: replace it by yours, then\n\
          \x20     closedform derive      lets Maxima run it\n\

@@ -5,10 +5,11 @@ mod search;
 
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::ProgressBar;
 use miette::{Diagnostic, bail};
 use thiserror::Error;
 
+use crate::bar::progress_bar;
 use closedform_measure::accuracy::{Measurement, Reference, ReferenceError, ValueError, measure};
 use closedform_measure::catalogue::{Catalogue, DomainError, Entry};
 use closedform_measure::kept::KeptInputs;
@@ -17,6 +18,9 @@ use closedform_project::Project;
 use closedform_project::sample::{EmptyDomain, sample};
 use closedform_system::output;
 use report::{Replay, Row};
+
+/// How far it is, and with which kernel.
+const BAR: &str = "{bar:30} {percent:>3}% {msg}";
 
 /// Measure kernels against their references in MPFR, and hold them to their bounds
 #[derive(Clone, Debug, clap::Args)]
@@ -94,7 +98,7 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     let entries = catalogue.select(args.kernel.as_deref())?;
     let (rows, unmeasured) = match plan(args)? {
         Some(plan) => {
-            let bar = progress_bar(entries.len() as u64);
+            let bar = progress_bar(entries.len() as u64, BAR);
             let found = search::searched(&catalogue, &entries, plan, project, &bar)?;
             bar.finish_and_clear();
             found
@@ -124,7 +128,7 @@ fn plan(args: &Args) -> miette::Result<Option<search::Plan>> {
 /// Measures kernels at the points kept of them and at samples of their domains.
 fn sampled(entries: &[&Entry], args: &Args, project: &Project) -> miette::Result<(Vec<Row>, Vec<Unmeasured>)> {
     let kept = KeptInputs::load(&project.records)?;
-    let bar = progress_bar(entries.len() as u64 * u64::from(args.points));
+    let bar = progress_bar(entries.len() as u64 * u64::from(args.points), BAR);
     let replay = Replay { root: &project.root, seed: args.seed };
     let (mut rows, mut unmeasured) = (Vec::new(), Vec::new());
     for entry in entries {
@@ -153,7 +157,7 @@ fn measured(entry: &Entry, kept: &KeptInputs, args: &Args, bar: &ProgressBar) ->
 fn conclude(rows: &[Row], unmeasured: Vec<Unmeasured>) -> miette::Result<()> {
     let exceeded: Vec<&Row> = rows.iter().filter(|row| row.exceeds()).collect();
     for row in &exceeded {
-        output::note(&row.failure());
+        output::warn(&row.failure());
     }
     if exceeded.is_empty() && unmeasured.is_empty() {
         return Ok(());
@@ -167,13 +171,6 @@ fn summary(exceeded: usize, unmeasured: usize) -> String {
     let parts = [(exceeded, results), (unmeasured, kernels)];
     let parts = parts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}"));
     parts.collect::<Vec<_>>().join(", ")
-}
-
-/// A bar on standard error; hidden where that is no terminal.
-fn progress_bar(points: u64) -> ProgressBar {
-    let style =
-        ProgressStyle::with_template("{bar:30} {percent:>3}% {msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::with_draw_target(Some(points), ProgressDrawTarget::stderr()).with_style(style)
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use crate::program::{GENERATOR, ProgramError};
 use attempt::{Ending, LIMIT, attempt};
 use closedform_project::family::{Family, FamilyError, Sheet, WorksheetError, families};
 use closedform_project::generated::{Generated, would_be_fine};
-use closedform_system::output::note;
+use closedform_system::output::{note, warn};
 use closedform_system::turn::{Patience, Turn, TurnError, WAIT};
 use miette::{Diagnostic, Report};
 use std::io;
@@ -115,7 +115,7 @@ const PAUSE: Duration = Duration::from_secs(1);
 pub fn run(source: &Source) -> Result<Generated, WorkerError> {
     let Some(refused) = source.check()? else { return made(source) };
     // the other formulas are tried all the same, so that one run tells everything
-    note(&format!("{:?}", Report::new(refused)));
+    warn(&format!("{:?}", Report::new(refused)));
     Err(WorkerError::Refused { fine: made(source)?.kernels.len() })
 }
 

@@ -202,7 +202,8 @@ fn as_written(family: &Family, kernel: &KernelContract, because: String) -> Resu
     }
 }
 
-/// Why the text of a kernel does not read back, if it does not: the kernel language has limits, for compensated expressions above all.
+/// Why the text of a kernel does not read back, if it does not: the kernel language has limits, for compensated
+/// expressions above all.
 fn beyond_the_language(family: &Family, kernel: &KernelText) -> Option<String> {
     let cause = closedform_syntax::parse_file(&module_text(family, std::slice::from_ref(kernel))).err()?;
     Some(format!("its stable form is beyond the kernel language: {cause}"))

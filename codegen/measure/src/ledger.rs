@@ -1,5 +1,6 @@
 //! The ledger, `LEDGER.csv` among the records of a project: what each result of a kernel promises, what was measured, what it costs.
 
+pub mod change;
 mod cost;
 
 use std::path::{Path, PathBuf};

@@ -101,8 +101,8 @@ impl Probe {
     }
 }
 
-/// Of every comparison inside, the difference of its sides; of every sum and compensated expression the value; of every extreme the
-/// differences of neighbours.
+/// Of every comparison inside, the difference of its sides; of every sum and compensated expression the value; of every
+/// extreme the differences of neighbours.
 fn of_condition(condition: &Condition, found: &mut Vec<Expr>) {
     for comparison in condition.comparisons() {
         if let [left, right] = comparison.sides()[..] {

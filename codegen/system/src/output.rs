@@ -1,10 +1,15 @@
-//! Standard output: text and JSON, where a reader that has seen enough is no error; and notes on standard error.
+//! Standard output: text and JSON, where a reader that has seen enough is no error; and notes on standard error, unless the
+//! command is quiet.
 
 use std::io::{self, ErrorKind, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use miette::Diagnostic;
 use serde::Serialize;
 use thiserror::Error;
+
+/// Whether nothing is said but errors and what was asked for.
+static QUIET: AtomicBool = AtomicBool::new(false);
 
 /// Standard output takes nothing more.
 #[derive(Debug, Error, Diagnostic)]
@@ -18,6 +23,26 @@ impl From<io::Error> for OutputError {
     fn from(error: io::Error) -> Self {
         Self { cause: error.to_string() }
     }
+}
+
+/// From now on nothing is said but errors and what was asked for.
+pub fn be_quiet() {
+    QUIET.store(true, Ordering::Relaxed);
+}
+
+/// Whether nothing is said but errors and what was asked for.
+#[must_use]
+pub fn is_quiet() -> bool {
+    QUIET.load(Ordering::Relaxed)
+}
+
+/// Writes what a command has done, unless it is quiet.
+///
+/// # Errors
+///
+/// When it cannot be written.
+pub fn tell(text: &str) -> Result<(), OutputError> {
+    if is_quiet() { Ok(()) } else { print(text) }
 }
 
 /// Writes the text.
@@ -40,8 +65,15 @@ pub fn print_json(value: &impl Serialize) -> Result<(), OutputError> {
     print(&format!("{text}\n"))
 }
 
-/// Writes a line to standard error, if anybody reads it: where that is closed or full, nothing is left to complain to.
+/// Writes a line to standard error, unless the command is quiet.
 pub fn note(text: &str) {
+    if !is_quiet() {
+        warn(text);
+    }
+}
+
+/// Writes a line to standard error, if anybody reads it: where that is closed or full, nothing is left to complain to.
+pub fn warn(text: &str) {
     _ = writeln!(io::stderr().lock(), "{text}");
 }
 

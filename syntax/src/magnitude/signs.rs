@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use closedform_arith::Relation;
+use closedform_arith::{Relation, Signs as InputSigns};
+use proc_macro2::Ident;
 
 use crate::kernel::{BinaryOp, Condition, Expr};
 use crate::print::expression_text;
@@ -11,9 +12,14 @@ use super::bounds::{Bounds, Sign};
 
 /// What conditions tell, by the text of expressions.
 ///
-/// All of these are evaluated without an error of sign wherever they stand: in `f64`, in double-double, inside compensated expressions.
+/// All of these are evaluated without an error of sign wherever they stand: in `f64`, in double-double, inside
+/// compensated expressions.
 #[derive(Default)]
-pub(super) struct Signs(BTreeMap<String, Known>);
+pub(super) struct Signs {
+    known: BTreeMap<String, Known>,
+    /// Whether it heeds inputs and their differences alone: these have no error of sign in any arithmetic.
+    inputs_alone: bool,
+}
 
 /// A sign, and whether the number may be zero.
 #[derive(Clone, Copy)]
@@ -23,9 +29,24 @@ struct Known {
 }
 
 impl Signs {
+    /// One that heeds inputs and their differences alone.
+    pub(super) fn of_inputs() -> Self {
+        Signs { inputs_alone: true, ..Signs::default() }
+    }
+
+    /// The signs that an input may have.
+    pub(super) fn of_input(&self, name: &Ident) -> InputSigns {
+        match self.known.get(&name.to_string()).map(|known| known.sign) {
+            Some(Sign::Positive) => InputSigns::NOT_NEGATIVE,
+            Some(Sign::Negative) => InputSigns::NOT_POSITIVE,
+            Some(Sign::Open) | None => InputSigns::ANY,
+        }
+    }
+
     /// The bounds of an expression, with its sign if that is known.
     pub(super) fn refine(&self, expr: &Expr, bounds: Bounds) -> Bounds {
-        let known = if self.0.is_empty() || !is_exact(expr) { None } else { self.0.get(&expression_text(expr)) };
+        let known =
+            if self.known.is_empty() || !is_exact(expr) { None } else { self.known.get(&expression_text(expr)) };
         known.map_or(bounds, |known| Bounds { sign: known.sign, zero: known.zero && bounds.zero, ..bounds })
     }
 
@@ -33,7 +54,7 @@ impl Signs {
     pub(super) fn learn(&mut self, condition: &Condition) {
         match condition {
             Condition::And(left, right) => [left, right].into_iter().for_each(|side| self.learn(side)),
-            Condition::Compare { op, left, right } if is_exact(left) && is_exact(right) => match op {
+            Condition::Compare { op, left, right } if self.heeds(left) && self.heeds(right) => match op {
                 Relation::Greater => self.above(left, right, false),
                 Relation::GreaterOrEqual => self.above(left, right, true),
                 Relation::Less => self.above(right, left, false),
@@ -42,6 +63,10 @@ impl Signs {
             },
             Condition::Compare { .. } | Condition::Or(..) | Condition::Not(_) => {}
         }
+    }
+
+    fn heeds(&self, side: &Expr) -> bool {
+        if self.inputs_alone { is_leaf(side) } else { is_exact(side) }
     }
 
     /// `high` is larger than `low`, or perhaps `equal` to it.
@@ -62,7 +87,7 @@ impl Signs {
     }
 
     fn enter(&mut self, expr: &Expr, sign: Sign, zero: bool) {
-        let before = self.0.entry(expression_text(expr)).or_insert(Known { sign, zero });
+        let before = self.known.entry(expression_text(expr)).or_insert(Known { sign, zero });
         *before = Known { sign, zero: zero && before.zero };
     }
 
@@ -73,7 +98,7 @@ impl Signs {
                 let Bounds { sign, zero, .. } = Bounds::literal(*value);
                 Some(Known { sign, zero })
             }
-            _ => self.0.get(&expression_text(expr)).copied(),
+            _ => self.known.get(&expression_text(expr)).copied(),
         }
     }
 }
@@ -84,10 +109,13 @@ fn is_zero(expr: &Expr) -> bool {
 
 /// A name or number, a sum of two of them, or a `compensated!` expression.
 fn is_exact(expr: &Expr) -> bool {
-    let leaf = |expr: &Expr| matches!(expr, Expr::Name(_) | Expr::Literal { .. });
     match expr {
-        Expr::Binary { op: BinaryOp::Add | BinaryOp::Sub, left, right } => leaf(left) && leaf(right),
+        Expr::Binary { op: BinaryOp::Add | BinaryOp::Sub, left, right } => is_leaf(left) && is_leaf(right),
         Expr::Compensated(_) => true,
-        other => leaf(other),
+        other => is_leaf(other),
     }
+}
+
+fn is_leaf(expr: &Expr) -> bool {
+    matches!(expr, Expr::Name(_) | Expr::Literal { .. })
 }

@@ -28,4 +28,8 @@ impl Program<3, 1, 1> for OffByOneBit {
         }
         Ok(())
     }
+
+    fn fast_batch(inputs: [&[f64]; 3], results: [&mut [f64]; 1]) -> Result<(), LengthError> {
+        Self::batch(inputs, results)
+    }
 }

@@ -23,7 +23,7 @@ use closedform_tests::laws::{Law, check_inverse};
 use closedform_tests::reference::References;
 use closedform_tests::scaling::check_scaling;
 use closedform_tests::sweep::sweep;
-use closedform_tests::{as_written, kept, shapes, strategy};
+use closedform_tests::{as_written, fast, kept, shapes, strategy};
 
 /// Points for each maker, and those at edges; the random seed is always the same.
 const POINTS: usize = 200;
@@ -189,6 +189,22 @@ fn a_wrong_domain_is_told() {
     for kernel in mutants::WRONG_DOMAIN {
         assert!(domain(kernel).is_err(), "{kernel:?} passed");
     }
+}
+
+#[test]
+fn fast_calls_are_judged() {
+    let fast = |kernel| {
+        let judge = judge(kernel);
+        let points = points(&judge, Maker::Reals);
+        fast::check(&judge, &points).and(fast::check_batch(&judge, &points))
+    };
+    for kernel in right::ALL {
+        assert_eq!(fast(kernel), Ok(()));
+    }
+    for kernel in mutants::WRONG {
+        assert!(fast(kernel).is_err(), "{kernel:?} passed");
+    }
+    assert!(fast(&batches::OFF_BY_ONE_BIT).is_err());
 }
 
 #[test]

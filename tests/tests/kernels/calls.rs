@@ -7,8 +7,7 @@ use closedform_tests::harness::Said;
 use closedform_tests::inputs::{Maker, Points};
 use closedform_tests::random::seed;
 use closedform_tests::scaling::check_scaling;
-use closedform_tests::shapes;
-use closedform_tests::tables;
+use closedform_tests::{fast, shapes, tables};
 
 /// Outside the domain results are NaN, and `checked` names the condition.
 pub fn domain(judge: &Judge) -> Said {
@@ -37,6 +36,18 @@ pub fn batch(judge: &Judge) -> Said {
     let list = [inside.concat(), judge.space.outside(seed(), budget().points).list].concat();
     shapes::check_batch(judge, &Points { origin: format!("every maker, seed {}", seed()), list })?;
     Ok(String::new())
+}
+
+/// Fast calls keep their promise, their batches have the bits of single ones, and certified errors are no smaller than true ones.
+pub fn fast(judge: &Judge) -> Said {
+    let made = Maker::ALL.map(|maker| judge.space.inside(maker, seed(), budget().points));
+    let outside = judge.space.outside(seed(), budget().points);
+    let mut worst = 0.0_f64;
+    for points in made.iter().chain([&outside]) {
+        worst = worst.max(fast::check(judge, points)?);
+        fast::check_batch(judge, points)?;
+    }
+    Ok(format!("{worst:e}"))
 }
 
 /// Single precision is the double, rounded once.

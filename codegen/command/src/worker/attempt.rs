@@ -1,12 +1,13 @@
 //! One run of the worker: started with the lock in its hands, listened to, limited, and judged by how it ended.
 
 use super::{Source, WorkerError};
+use crate::bar::progress_bar;
 use closedform_project::generated::{Generated, Word};
 use closedform_project::maxima_process::ALLOW_SYSTEM_VARIABLE;
-use closedform_system::output::note;
+use closedform_system::output::warn;
 use closedform_system::processor::time_of;
 use closedform_system::turn::Turn;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use std::io::{self, BufRead, BufReader, IsTerminal, Read};
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -85,7 +86,7 @@ fn judge(status: ExitStatus, heard: Heard, errors: &str) -> Result<Ending, Worke
         return Ok(Ending::Refused);
     }
     if !errors.is_empty() {
-        note(errors.trim_end());
+        warn(errors.trim_end());
     }
     match (status.code(), heard.made) {
         (Some(0), Some(made)) => Ok(Ending::Made(made)),
@@ -163,7 +164,7 @@ fn listen(child: &mut Child, words: &Receiver<String>, heard: &mut Heard, limit:
 impl Heard {
     fn word(&mut self, word: Word, process: u32) {
         match word {
-            Word::Kernels(kernels) => self.bar = Some(progress_bar(kernels)),
+            Word::Kernels(kernels) => self.bar = Some(progress_bar(kernels as u64, "{bar:30} {pos}/{len} {msg}")),
             Word::Making(what) => {
                 if let Some(bar) = &self.bar {
                     bar.set_message(what.clone());
@@ -193,22 +194,12 @@ impl Heard {
             return;
         }
         match &self.bar {
-            Some(bar) => bar.suspend(|| note(&text)),
-            None => note(&text),
+            Some(bar) => bar.suspend(|| warn(&text)),
+            None => warn(&text),
         }
     }
 
     fn what(&self) -> String {
         self.making.clone().unwrap_or_else(|| "nothing yet".to_owned())
-    }
-}
-
-/// A bar on standard error; indicatif hides it where that is no terminal.
-fn progress_bar(kernels: usize) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");
-    let bar = ProgressBar::new(kernels as u64);
-    match style {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
     }
 }

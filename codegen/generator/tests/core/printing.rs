@@ -76,9 +76,7 @@ impl<'k> Beside<'k> {
             | (Op::Min(nodes), Expr::Extreme { largest: false, items }) => {
                 nodes.len() == items.len() && nodes.iter().zip(items).all(|(node, item)| self.same(*node, item))
             }
-            (Op::Compensated(expression), Expr::Compensated(expression)) => {
-                self.same_compensated(expression, &expression.value)
-            }
+            (Op::Compensated(expression), Expr::Compensated(read)) => self.same_compensated(expression, &read.value),
             (Op::If(condition, a, b), Expr::If { condition: found, then, otherwise }) => {
                 self.same_condition(condition, found) && self.same(*a, then) && self.same(*b, otherwise)
             }

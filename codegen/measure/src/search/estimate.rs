@@ -6,8 +6,8 @@ use closedform_arith::{DoubleDouble, Guarded, Mpfr};
 use closedform_syntax::{Kernel, evaluate};
 use rug::Float;
 
-/// A result in double-double, its compensated expressions exactly, as `faithful` computes it; `None` where a step leaves the range, so that
-/// nothing is known of it. Good enough to find inputs worth a look, not to judge them.
+/// A result in double-double, its compensated expressions exactly, as `faithful` computes it; `None` where a step leaves
+/// the range, so that nothing is known of it. Good enough to find inputs worth a look, not to judge them.
 pub(super) fn in_double_double(kernel: &Kernel, result: usize, point: &[f64]) -> Option<DoubleDouble> {
     let left = Cell::new(false);
     let inputs: Vec<_> = point.iter().map(|value| Guarded::<true>::new(*value, &left)).collect();

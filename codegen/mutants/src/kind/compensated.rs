@@ -5,7 +5,8 @@ use closedform_syntax::Expr;
 use super::walk::Place;
 use crate::mistake::Wrong;
 
-/// What may stand for a compensated expression; its digits are lost, or nothing proves them. The language has no `residual!` that decides.
+/// What may stand for a compensated expression; its digits are lost, or nothing proves them. The language has no
+/// `residual!` that decides.
 pub fn mutations(expr: &Expr, place: Place) -> Vec<Wrong<Expr>> {
     match expr {
         Expr::Compensated(expression) => {

@@ -27,6 +27,8 @@ const TAKEN: &[&str] = &[
     "f32",
     "f64",
     "faithful",
+    "fast",
+    "fast_batch",
     "i128",
     "i16",
     "i32",
@@ -47,6 +49,7 @@ const TAKEN: &[&str] = &[
     "u64",
     "u8",
     "usize",
+    "with_bound",
 ];
 
 /// Type names that generated code or its users already have.

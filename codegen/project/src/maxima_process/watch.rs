@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use std::os::unix::process::CommandExt;
 
+use closedform_system::output::is_quiet;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Maxima;
@@ -31,7 +32,7 @@ impl<'a> Watch<'a> {
     /// Of a run of so many statements.
     pub(super) fn new(maxima: &'a Maxima, child: &Child, statements: usize) -> Self {
         let style = ProgressStyle::with_template("Maxima: statement {pos} of {len}, {elapsed}");
-        let bar = ProgressBar::new(statements as u64);
+        let bar = if is_quiet() { ProgressBar::hidden() } else { ProgressBar::new(statements as u64) };
         let bar = style.map_or_else(|_| bar.clone(), |style| bar.clone().with_style(style));
         Self { maxima, group: child.id(), start: Instant::now(), bar, begun: Cell::new(0), guard: guard(child.id()) }
     }

@@ -54,10 +54,7 @@ impl Export {
         };
         let buffer = Buffer { shortest: self.shortest_segment, most: self.most_points };
         let count = save(path, form, axes, &self.scalings(axes.len()), &buffer, rows);
-        let failure = |error: ExportError| match error {
-            ExportError::Io(_) => Failure::Other(error.to_string()).at(path),
-            _ => Failure::Input(error.to_string()).at(path),
-        };
+        let failure = |error: ExportError| Failure(error.to_string()).at(path);
         Ok(Some((path, count.map_err(failure)?)))
     }
 

@@ -54,7 +54,7 @@ impl Inputs {
             (None, None, Some(t0), Some(t1), Some(t2)) => FiveSegmentBy::Times { t0, t1, t2 },
             _ => {
                 let message = "the shape of the step is not clear: give a0, a1 and t1, or t0, t1 and t2";
-                return Err(Failure::Input(message.to_owned()));
+                return Err(Failure(message.to_owned()));
             }
         };
         Ok(FiveSegment {

@@ -152,7 +152,7 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             output::note(&format!("error: {}", failure.message()));
-            ExitCode::from(failure.code())
+            ExitCode::FAILURE
         }
     }
 }

@@ -84,12 +84,12 @@ fn time(inputs: &Inputs, sink: Sink) -> Outcome<(Job, Milling)> {
     match (&inputs.gcode, &inputs.points_file) {
         (Some(path), None) => program(path, inputs, sink).map_err(|failure| failure.at(path)),
         (None, Some(path)) => polyline(path, inputs, sink).map_err(|failure| failure.at(path)),
-        _ => Err(Failure::Input("what to mill is not clear: give gcode or points-file, one of them".to_owned())),
+        _ => Err(Failure("what to mill is not clear: give gcode or points-file, one of them".to_owned())),
     }
 }
 
 fn program(path: &Path, inputs: &Inputs, sink: Sink) -> Outcome<(Job, Milling)> {
-    let unreadable = |error| Failure::Input(format!("{error}: give a file that can be read"));
+    let unreadable = |error| Failure(format!("{error}: give a file that can be read"));
     let file = File::open(path).map_err(unreadable)?;
     let size = file.metadata().map_or(0, |data| data.len());
     let mut input = BufReader::with_capacity(HEAD, file);
@@ -130,7 +130,7 @@ fn polyline(path: &Path, inputs: &Inputs, sink: Sink) -> Outcome<(Job, Milling)>
     let spatial = |(index, point): (usize, Vec<f64>)| match *point {
         [x, y] => Ok([x, y, 0.0]),
         [x, y, z] => Ok([x, y, z]),
-        _ => Err(Failure::Input(format!("point {}: it has {} coordinates: give X,Y or X,Y,Z", index + 1, point.len()))),
+        _ => Err(Failure(format!("point {}: it has {} coordinates: give X,Y or X,Y,Z", index + 1, point.len()))),
     };
     let points = points.into_iter().enumerate().map(spatial).collect::<Outcome<Vec<_>>>()?;
     let feed = crate::input::need(inputs.feed, "feed", "the feed of the polyline in mm/s")?;

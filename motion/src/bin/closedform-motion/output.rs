@@ -71,7 +71,7 @@ impl Output {
             if let Some((flag, _)) =
                 others.into_iter().find(|(_, other)| other.as_ref().is_some_and(|other| other == path))
             {
-                return Err(Failure::Input(format!("this is the file of --{flag} too: give another name")).at(path));
+                return Err(Failure(format!("this is the file of --{flag} too: give another name")).at(path));
             }
         }
         self.spares(self.file.as_deref())
@@ -97,7 +97,7 @@ impl Output {
         match read.and_then(|read| written.find(|(_, path)| is_same_file(path, read))) {
             Some((flag, path)) => {
                 let message = format!("the plan is read from this file: give --{flag} another name, so that it stays");
-                Err(Failure::Input(message).at(path))
+                Err(Failure(message).at(path))
             }
             None => Ok(()),
         }
@@ -107,11 +107,11 @@ impl Output {
     pub fn writes(&self, path: &Path, endings: &[&str]) -> Outcome<()> {
         if !ends(path, endings) {
             let message = format!("its name must end in .{}: give it another", endings.join(" or ."));
-            return Err(Failure::Input(message).at(path));
+            return Err(Failure(message).at(path));
         }
         for (flag, other) in [("file", &self.file), ("table", &self.table), ("picture", &self.picture)] {
             if other.as_deref().is_some_and(|other| other == path || is_same_file(other, path)) {
-                return Err(Failure::Input(format!("this is the file of --{flag} too: give another name")).at(path));
+                return Err(Failure(format!("this is the file of --{flag} too: give another name")).at(path));
             }
         }
         Ok(())
@@ -174,7 +174,7 @@ fn to_standard_output<R: Into<Row>>(heading: &Heading, rows: impl IntoIterator<I
         Ok(_) => Ok(()),
         Err(TableError::Csv(error)) => match error.into_kind() {
             csv::ErrorKind::Io(error) => unless_closed(Err(error)),
-            other => Err(Failure::Other(format!("the table cannot be written: {other:?}"))),
+            other => Err(Failure(format!("the table cannot be written: {other:?}"))),
         },
         Err(TableError::Io(error)) => unless_closed(Err(error)),
         Err(error) => Err(error.into()),
@@ -202,7 +202,7 @@ fn is_same_file(one: &Path, other: &Path) -> bool {
 pub fn unless_closed(written: io::Result<()>) -> Outcome<()> {
     match written {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(Failure::Other(format!("cannot write to standard output: {error}; make room, or send it elsewhere")))
+            Err(Failure(format!("cannot write to standard output: {error}; make room, or send it elsewhere")))
         }
         _ => Ok(()),
     }

@@ -23,14 +23,14 @@ pub fn read(path: &Path) -> Outcome<Vec<Vec<f64>>> {
     } else {
         std::fs::read_to_string(path)
     };
-    let text = text.map_err(|error| Failure::Input(format!("{error}: give a file of text that can be read")))?;
+    let text = text.map_err(|error| Failure(format!("{error}: give a file of text that can be read")))?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
     let has_points = |(_, line): &(usize, &str)| !line.trim().is_empty() && !line.trim_start().starts_with('#');
     let mut lines = (1..).zip(text.lines()).filter(has_points).peekable();
     if let Some((number, _)) = lines.next_if(|(_, line)| fields(line).into_iter().all(is_name)) {
         note(&format!("{}: passed over: line {number}: names of columns", path.display()));
     }
-    let parse = |(number, line)| point(line).map_err(|error| Failure::Input(format!("line {number}: {error}")));
+    let parse = |(number, line)| point(line).map_err(|error| Failure(format!("line {number}: {error}")));
     lines.map(parse).collect()
 }
 

@@ -87,7 +87,7 @@ impl Inputs {
             (None, None, None, None, None, Some(t_out), Some(t)) => {
                 Ok(StepShape::Symmetric { frame: Frame::TIESkip(t), t_out })
             }
-            _ => Err(Failure::Input(
+            _ => Err(Failure(
                 "the shape of the step is not clear: give a3 and t1, or ki, ko and time (or t1), or t-out and ki (or t-ie-skip)"
                     .to_owned(),
             )),
@@ -114,7 +114,7 @@ impl Inputs {
         }
         let message = "the step has no limit: give --a-max, --j-max, or both, in m/s² and m/s³ (or the letters of the \
                        derivation: a3 and t1, or ki, ko and time or t1, or t-out and ki or t-ie-skip)";
-        Err(Failure::Input(message.to_owned()))
+        Err(Failure(message.to_owned()))
     }
 }
 

@@ -78,7 +78,7 @@ impl Inputs {
     fn waypoints(&self) -> Outcome<Waypoints> {
         let letter = self.problem.unwrap_or('e');
         let problem = Problem::of_letter(letter.to_ascii_lowercase())
-            .ok_or_else(|| Failure::Input(format!("problem is {letter}: give a letter from a to f")))?;
+            .ok_or_else(|| Failure(format!("problem is {letter}: give a letter from a to f")))?;
         let end = |velocity: &Option<Point>| velocity.clone().unwrap_or_default();
         let ends = [end(&self.start_velocity), end(&self.end_velocity)];
         Ok(Waypoints { problem, points: self.all_points()?, timing: self.timing()?, limits: self.limits()?, ends })
@@ -87,9 +87,9 @@ impl Inputs {
     fn timing(&self) -> Outcome<Timing> {
         let has_limits = !(self.v_max.is_empty() && self.a_max.is_empty() && self.j_max.is_empty());
         match (self.speed, self.times.as_slice(), self.fastest) {
-            (Some(_), [_, ..], _) => Err(Failure::Input("speed and times are both given: give one of them".to_owned())),
+            (Some(_), [_, ..], _) => Err(Failure("speed and times are both given: give one of them".to_owned())),
             (Some(_), _, Some(_)) | (_, [_, ..], Some(_)) => {
-                Err(Failure::Input("fastest needs no speed and no times: leave them out, or fastest".to_owned()))
+                Err(Failure("fastest needs no speed and no times: leave them out, or fastest".to_owned()))
             }
             (Some(speed), [], None) => Ok(Timing::Speed(speed)),
             (None, times @ [_, ..], None) => Ok(Timing::Durations(times.to_vec())),
@@ -108,7 +108,7 @@ impl Inputs {
         if lists.iter().any(|list| list.len() > 1 && list.len() != count) {
             let message =
                 "v-max, a-max and j-max are of different numbers of axes: give each one number, or one an axis";
-            return Err(Failure::Input(message.to_owned()));
+            return Err(Failure(message.to_owned()));
         }
         let of = |list: &[f64], axis: usize| list.get(axis).or(list.first()).copied();
         Ok((0..count).map(|axis| limits(of(&self.v_max, axis), of(&self.a_max, axis), of(&self.j_max, axis))).collect())
@@ -127,7 +127,7 @@ impl Inputs {
         match (&self.points_file, self.points.as_slice()) {
             (None, points) => Ok(points.to_vec()),
             (Some(path), []) => points::read(path).map_err(|failure| failure.at(path)),
-            _ => Err(Failure::Input("points and points-file are both given: give one of them".to_owned())),
+            _ => Err(Failure("points and points-file are both given: give one of them".to_owned())),
         }
     }
 }

@@ -1,9 +1,9 @@
 //! Waypoints: polynomials in time, segment after segment, through four points or more.
 //!
-//! The printed derivation's problems (a) to (f) go through four points in three segments; (a) and (e) are as clear with two, (f) with
-//! three. With more points, the first and the last
-//! segment are what the problem says, and those between are cubics; what the four points leave open is settled so that
-//! four points are no special case, [`Problem`] says how. Each coordinate is planned by itself, on one clock.
+//! The printed derivation's problems (a) to (f) go through four points in three segments; (a) and (e) are as clear with
+//! two, (f) with three. With more points, the first and the last segment are what the problem says, and those between are
+//! cubics; what the four points leave open is settled so that four points are no special case, [`Problem`] says how. Each
+//! coordinate is planned by itself, on one clock.
 
 mod fastest;
 mod four;
@@ -27,8 +27,8 @@ pub enum Problem {
     /// (b) Quadratic, linear, quadratic: the velocity is continuous.
     ///
     /// With more points, the segments between are the natural cubic spline, without acceleration at its two ends;
-    /// between two points that is the linear segment of the printed derivation. The acceleration jumps at the second and the last but
-    /// one point.
+    /// between two points that is the linear segment of the printed derivation. The acceleration jumps at the second and
+    /// the last but one point.
     QuadraticLinearQuadratic,
     /// (c) Quadratic, cubic, quadratic: the velocity is continuous, and zero at both ends.
     ///

@@ -1,15 +1,16 @@
-//! Products of polynomials: as a compensated expression, whose factors have an order and whose size a limit, or in steps.
+//! Products of polynomials: as a compensated expression of limited size, its factors in order, or in steps.
 
 use crate::field::Sign;
 use crate::program::{CompensatedExpr, Graph, Node, is_exact};
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-/// The most terms of a compensated expression, multiplied out, and the most factors of one.
+/// The largest compensated expression: how many terms it may have when it is multiplied out, and how many factors a term.
 const LARGEST: (usize, usize) = (2_000, 16);
 
-/// A compensated expression of a product without its sign, and the product: one literal and then the other factors in one order, so that
-/// equal compensated expressions, and those of other signs, are one step. A product of two takes one rounding anyway.
+/// A product as a compensated expression without its sign, and the product itself. The factors are put into one order, the
+/// literal first: so products of the same factors share a step, whatever their signs. A product of two factors is not
+/// compensated, since it is rounded once anyway.
 pub fn in_order(graph: &mut Graph, expression: CompensatedExpr, sign: Sign) -> (Node, Node) {
     let (mut negative, mut factors) = (false, Vec::new());
     split(expression, &mut negative, &mut factors);
@@ -37,7 +38,8 @@ pub fn in_order(graph: &mut Graph, expression: CompensatedExpr, sign: Sign) -> (
     (expression, if negative { graph.neg(expression) } else { expression })
 }
 
-/// The product in steps: each factor in steps of its own where they do not cancel, and as a compensated expression where they may.
+/// The product in steps: each factor in steps of its own where they do not cancel, and as a compensated expression where
+/// they may.
 pub fn in_steps(graph: &mut Graph, expression: CompensatedExpr) -> Node {
     let (mut negative, mut factors) = (false, Vec::new());
     split(expression, &mut negative, &mut factors);

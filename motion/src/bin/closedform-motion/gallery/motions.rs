@@ -10,7 +10,7 @@ use crate::error::{Failure, Outcome};
 /// Four points in the plane, and the path of a problem through them.
 pub fn waypoints(letter: char) -> Outcome<(Motion, Vec<Vec<f64>>)> {
     let points = vec![vec![0.0, 0.0], vec![0.2, 0.4], vec![0.7, 0.5], vec![1.0, 0.1]];
-    let problem = Problem::of_letter(letter).ok_or_else(|| Failure::Input(format!("no problem ({letter})")))?;
+    let problem = Problem::of_letter(letter).ok_or_else(|| Failure(format!("no problem ({letter})")))?;
     let plan = Waypoints::new(problem, points.clone(), Timing::Speed(1.0)).plan()?;
     Ok((plan.motion(), points))
 }

@@ -207,7 +207,7 @@ impl Inputs {
             ),
         ];
         if let Some((_, message)) = others.iter().find(|(wrong, _)| *wrong) {
-            return Err(Failure::Input(format!("{message}: leave one of them out")));
+            return Err(Failure(format!("{message}: leave one of them out")));
         }
         Ok(match asked {
             ModelFlag::LookAhead => Model::LookAhead(self.rules(dialect)?),
@@ -229,7 +229,7 @@ impl Inputs {
         let corner = match (self.junction_deviation, self.classic_jerk.as_slice()) {
             (Some(_), [_, ..]) => {
                 let message = "junction-deviation and classic-jerk are both given: leave one of them out";
-                return Err(Failure::Input(message.to_owned()));
+                return Err(Failure(message.to_owned()));
             }
             (Some(deviation), []) => Corner::Deviation(deviation),
             (None, []) => usual.corner,
@@ -250,7 +250,7 @@ impl Inputs {
         let home = match *self.home {
             [] => None,
             [x, y, z] => Some([x, y, z]),
-            _ => return Err(Failure::Input(format!("home has {} numbers: give X,Y,Z", self.home.len()))),
+            _ => return Err(Failure(format!("home has {} numbers: give X,Y,Z", self.home.len()))),
         };
         Ok(Reading {
             dialect: Some(dialect),
@@ -274,7 +274,7 @@ impl Inputs {
 }
 
 fn parameter(text: &str) -> Outcome<(String, f64)> {
-    let wrong = || Failure::Input(format!("`{text}` defines nothing: write NAME=VALUE, as depth=2.5 or 100=3"));
+    let wrong = || Failure(format!("`{text}` defines nothing: write NAME=VALUE, as depth=2.5 or 100=3"));
     let (name, value) = text.split_once('=').ok_or_else(wrong)?;
     let name = name.trim().trim_start_matches('#').trim_matches(['<', '>']);
     let value = value.trim().parse().map_err(|_| wrong())?;
@@ -287,6 +287,6 @@ fn of_axes(name: &str, given: &[f64], usual: [f64; 3]) -> Outcome<[f64; 3]> {
         [] => Ok(usual),
         [all] => Ok([all; 3]),
         [x, y, z] => Ok([x, y, z]),
-        _ => Err(Failure::Input(format!("{name} has {} numbers: give one for all axes, or three", given.len()))),
+        _ => Err(Failure(format!("{name} has {} numbers: give one for all axes, or three", given.len()))),
     }
 }

@@ -130,15 +130,15 @@ impl Inputs {
         if self.ramps.is_some() || self.v1_diff.is_some() || self.t_in.is_some() || self.t_out.is_some() {
             let message =
                 "ramps, v1-diff, t-in and t-out are of the derivation: leave them out, or give --shape derivation";
-            return Err(Failure::Input(message.to_owned()));
+            return Err(Failure(message.to_owned()));
         }
         if self.triggers.is_some() && self.pixels.is_none() {
-            return Err(Failure::Input("triggers are those of pixels: give their number with --pixels".to_owned()));
+            return Err(Failure("triggers are those of pixels: give their number with --pixels".to_owned()));
         }
         let start = match self.start.as_deref() {
             None => [0.0; 2],
             Some([fly, step]) => [*fly, *step],
-            Some(_) => return Err(Failure::Input("start has two numbers: give it as FLY,STEP".to_owned())),
+            Some(_) => return Err(Failure("start has two numbers: give it as FLY,STEP".to_owned())),
         };
         let order = match (self.one_way, self.v_return) {
             (Some(true), back) => Order::OneWay(back),
@@ -177,7 +177,7 @@ impl Inputs {
         ];
         if let Some((name, _)) = only.into_iter().find(|(_, given)| *given) {
             let message = format!("{name} is of the fastest turn-around: leave it out, or give --shape fastest");
-            return Err(Failure::Input(message));
+            return Err(Failure(message));
         }
         let unlimited = |limit: Option<f64>| limit.unwrap_or(f64::INFINITY);
         Ok(DerivedRaster {
@@ -207,7 +207,7 @@ impl Inputs {
             (Some(v1_diff), None, None) => Ok(Choice::V1Diff(v1_diff)),
             (Some(v1_diff), Some(t_in), None) => Ok(Choice::Ramp { v1_diff, t_in }),
             (None, None, Some(t_out)) => Ok(Choice::TOut(t_out)),
-            _ => Err(Failure::Input(
+            _ => Err(Failure(
                 "v1-diff, t-in and t-out together say too much or too little: give none, v1-diff, v1-diff and t-in, or t-out"
                     .to_owned(),
             )),
@@ -243,5 +243,5 @@ impl Inputs {
 }
 
 fn no_way_back() -> Failure {
-    Failure::Input("v-return is of a way back: add --one-way, or leave it out".to_owned())
+    Failure("v-return is of a way back: add --one-way, or leave it out".to_owned())
 }

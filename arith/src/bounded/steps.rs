@@ -1,0 +1,127 @@
+//! The steps of [`Bounded`]: values, and what becomes of their errors.
+
+use super::{Bounded, Signs};
+use crate::error_model::bounded::{MOST, UNDERFLOW};
+use crate::function::Function;
+
+impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
+    /// A number that is what it stands for.
+    #[inline(always)]
+    pub(super) fn exactly(&self, value: f64, signs: Signs) -> Self {
+        Self::new(value, signs, self.doubt)
+    }
+
+    #[inline(always)]
+    pub(super) fn sum(&self, other: &Self) -> Self {
+        let value = self.value + other.value;
+        let signs = self.signs.sum(other.signs);
+        let sum = if self.signs.agree(other.signs) { self.growing(other) } else { self.cancelling(other) };
+        Bounded { value, signs, ..sum }.watched(value.is_finite())
+    }
+
+    /// The errors of a sum of terms of one sign.
+    #[inline(always)]
+    fn growing(&self, other: &Self) -> Self {
+        let count = self.count.max(other.count).saturating_add(1);
+        let clean = self.clean & other.clean;
+        let error = if clean { 0.0 } else { self.error + other.error };
+        Bounded { count, error, clean, slack: self.slack.max(other.slack).saturating_add(1), ..*self }
+    }
+
+    /// The errors of a sum that may cancel: relative ones become absolute.
+    #[inline(always)]
+    fn cancelling(&self, other: &Self) -> Self {
+        let ((a, exact), (b, other_exact)) = (self.absolute(), other.absolute());
+        if exact & other_exact {
+            return Bounded { count: 1, error: 0.0, clean: true, slack: 0, ..*self };
+        }
+        let error = match (exact, other_exact) {
+            (true, _) => b,
+            (_, true) => a,
+            _ => a + b,
+        };
+        let slack = self.slack.max(other.slack).saturating_add(4);
+        Bounded { count: 1, error: error + UNDERFLOW, clean: false, slack, ..*self }
+    }
+
+    #[inline(always)]
+    pub(super) fn product(&self, other: &Self) -> Self {
+        let value = self.value * other.value;
+        let (error, slack) = self.error_of_product(other);
+        let count = self.count.saturating_add(other.count).saturating_add(1);
+        let (clean, signs) = (self.clean & other.clean, self.signs.product(other.signs));
+        let fine = value.is_normal() | (self.value == 0.0) | (other.value == 0.0);
+        Bounded { value, count, error, slack, clean, signs, ..*self }.watched(fine)
+    }
+
+    #[inline(always)]
+    fn error_of_product(&self, other: &Self) -> (f64, u32) {
+        match (self.clean, other.clean) {
+            (true, true) => (0.0, 0),
+            (false, true) => self.error_times(other),
+            (true, false) => other.error_times(self),
+            (false, false) => {
+                let ((left, a), (right, b)) = (self.error_times(other), other.error_times(self));
+                let slack = a.max(b).max(self.slack.saturating_add(other.slack)).saturating_add(4);
+                (left + right + self.error * other.error, slack)
+            }
+        }
+    }
+
+    /// What this error makes of a product with `factor`.
+    #[inline(always)]
+    fn error_times(&self, factor: &Self) -> (f64, u32) {
+        (self.error * factor.value.abs() + UNDERFLOW, self.slack.saturating_add(factor.count).saturating_add(2))
+    }
+
+    #[inline(always)]
+    pub(super) fn quotient(&self, other: &Self) -> Self {
+        let divisor = other.collapsed();
+        let dividend = if WATCHED { *self } else { self.collapsed() };
+        let value = self.value / other.value;
+        let count = dividend.count.saturating_add(divisor.count).saturating_add(2);
+        let error = if dividend.clean { 0.0 } else { dividend.error / divisor.value.abs() + UNDERFLOW };
+        let slack = if dividend.clean { 0 } else { dividend.slack.saturating_add(divisor.count).saturating_add(3) };
+        self.raise(other.value == 0.0);
+        let signs = self.signs.product(other.signs);
+        Bounded { value, count, error, slack, signs, ..dividend }.watched(value.is_normal() | (self.value == 0.0))
+    }
+
+    /// A function: a power of the magnitude of its argument.
+    #[inline(always)]
+    pub(super) fn called(&self, function: Function) -> Self {
+        let argument = if function.is_exact() { *self } else { self.collapsed() };
+        self.raise(!function.is_defined(self.value));
+        let (value, signs) = (function.double(self.value), self.signs.through(function));
+        if function.is_exact() {
+            return Bounded { value, signs, ..argument };
+        }
+        Bounded { value, signs, count: count_after(function, argument.count), ..argument }
+    }
+}
+
+/// The count of a power of a number of this count: its share, one for terms of higher order, and the function's own error, which
+/// is one more when it is taken relative to what was computed.
+#[inline(always)]
+fn count_after(function: Function, count: u32) -> u32 {
+    let properties = function.properties();
+    let ((p, q), error) = (properties.exponent, properties.error);
+    if count > MOST || p > q {
+        return u32::MAX;
+    }
+    (count * p).div_ceil(q) + error.numerator.div_ceil(error.denominator) + 2
+}
+
+/// What is proved of counts holds for the largest.
+const _: () = assert!(MOST <= 1 << 20);
+
+impl Signs {
+    /// Those of the value of a function.
+    #[inline(always)]
+    fn through(self, function: Function) -> Self {
+        use core::cmp::Ordering::{Greater, Less};
+        let (below, above) = (function.sign(Less), function.sign(Greater));
+        let may_be = |sign| (self.negative & (below == Some(sign))) | (self.positive & (above == Some(sign)));
+        Signs { negative: may_be(Less), positive: may_be(Greater) }
+    }
+}

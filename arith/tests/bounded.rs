@@ -1,0 +1,234 @@
+//! Numbers that bound their own errors, against MPFR: operation by operation at the ends of their intervals, and in expressions.
+//!
+//! Random expressions do not find a bound that lacks a rounding or two: their errors never all point the same way. So operations
+//! are judged one by one, with operands that are as wrong as they may be.
+
+#![cfg(feature = "mpfr")]
+
+use std::cell::Cell;
+
+use closedform_arith::error_model::UNIT;
+use closedform_arith::{Bounded, Function, Real, Signs};
+use rug::Float;
+use rug::ops::Pow;
+
+/// More than the exponents of any two numbers of `f64`, and of their products, are apart.
+const BITS: u32 = 4400;
+
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
+    }
+
+    fn below(&mut self, n: u64) -> u64 {
+        (self.next() >> 11) % n
+    }
+
+    fn exponent(&mut self, most: u64) -> f64 {
+        f64::powi(2.0, self.below(2 * most + 1) as i32 - most as i32)
+    }
+
+    fn number(&mut self) -> f64 {
+        let significand = 1.0 + (self.next() >> 12) as f64 * f64::EPSILON;
+        let size = match self.below(8) {
+            0..=3 => significand * self.exponent(10),
+            4 => self.exponent(10),
+            5 => significand * self.exponent(500),
+            6 => self.below(9) as f64,
+            _ => 1.0 + self.below(1000) as f64 * f64::EPSILON,
+        };
+        if self.below(2) == 0 { size } else { -size }
+    }
+
+    /// A count and an error for a number.
+    fn errors(&mut self, value: f64) -> (u32, f64) {
+        let count = [0, 0, 1, 2, 17, 300][self.below(6) as usize];
+        let error = match self.below(4) {
+            0 | 1 => 0.0,
+            2 => value.abs() * UNIT * (1 + self.below(10)) as f64,
+            _ => value.abs() * self.exponent(60).min(1.0),
+        };
+        (count, error)
+    }
+}
+
+/// A number, and what it stands for: an end of its interval.
+struct Operand<'a, const WATCHED: bool> {
+    number: Bounded<'a, WATCHED>,
+    exact: Float,
+}
+
+fn operand<'a, const WATCHED: bool>(value: f64, random: &mut Random, doubt: &'a Cell<bool>) -> Operand<'a, WATCHED> {
+    let (count, error) = random.errors(value);
+    let signs = match value {
+        _ if random.below(2) == 0 => Signs::ANY,
+        _ if value >= 0.0 => Signs::NOT_NEGATIVE,
+        _ => Signs::NOT_POSITIVE,
+    };
+    let number = Bounded::with_error(value, count, error, signs, doubt);
+    let most = Float::with_val(BITS, 1.0 + Float::with_val(BITS, UNIT)).pow(count);
+    let factor = if random.below(2) == 0 { most } else { 2 - most };
+    let error = if random.below(2) == 0 { error } else { -error };
+    Operand { number, exact: Float::with_val(BITS, value) * factor + error }
+}
+
+/// What a bound is of the true error; `None` where the number is in doubt or has no bound.
+fn share<const WATCHED: bool>(found: Bounded<'_, WATCHED>, exact: &Float, doubt: &Cell<bool>) -> Option<f64> {
+    let bound = found.bound();
+    if doubt.replace(false) || !bound.is_finite() || !found.value().is_finite() {
+        return None;
+    }
+    let error = Float::with_val(BITS, exact - found.value()).abs();
+    assert!(error <= bound, "{exact} is {} +- {bound:e}", found.value());
+    Some(if bound == 0.0 { 0.0 } else { (error / bound).to_f64() })
+}
+
+/// The largest share of its bound that the error of an operation has, and how often it has one.
+fn judge<const WATCHED: bool>(
+    operation: impl for<'a> Fn(&Bounded<'a, WATCHED>, &Bounded<'a, WATCHED>) -> Bounded<'a, WATCHED>,
+    exactly: impl Fn(&Float, &Float) -> Float,
+) -> (f64, u32) {
+    let (mut random, doubt) = (Random(88_172_645_463_325_252), Cell::new(false));
+    let (mut largest, mut judged) = (0.0_f64, 0);
+    for _ in 0..60_000 {
+        let (first, second) = (random.number(), random.number());
+        // what cancels most
+        let second = if random.below(4) == 0 { -first } else { second };
+        let (a, b) = (operand(first, &mut random, &doubt), operand(second, &mut random, &doubt));
+        let found = operation(&a.number, &b.number);
+        if let Some(share) = share(found, &exactly(&a.exact, &b.exact), &doubt) {
+            (largest, judged) = (largest.max(share), judged + 1);
+        }
+    }
+    (largest, judged)
+}
+
+/// Every operation, in one of the two ways, keeps its bounds and comes near to them.
+fn judge_all<const WATCHED: bool>() {
+    let demand = |name, near: f64, (largest, judged): (f64, u32)| {
+        assert!(judged > 15_000 && largest > near, "{name}: {judged} judged, {largest} of the bound at most");
+    };
+    demand("sum", 0.999, judge::<WATCHED>(|a, b| a.add(b), |a, b| Float::with_val(BITS, a + b)));
+    demand("difference", 0.999, judge::<WATCHED>(|a, b| a.sub(b), |a, b| Float::with_val(BITS, a - b)));
+    demand("product", 0.999, judge::<WATCHED>(|a, b| a.mul(b), |a, b| Float::with_val(BITS, a * b)));
+    demand("quotient", 0.9, judge::<WATCHED>(|a, b| a.div(b), |a, b| Float::with_val(BITS, a / b)));
+    let of_sum = judge::<WATCHED>(|a, b| a.add(b).mul(b), |a, b| Float::with_val(BITS, a + b) * b);
+    demand("product of a sum", 0.99, of_sum);
+    let root = judge::<WATCHED>(|a, _| a.call(Function::Abs).call(Function::Sqrt), |a, _| a.clone().abs().sqrt());
+    demand("root", 0.3, root);
+    demand("cube root", 0.3, judge::<WATCHED>(|a, _| a.call(Function::Cbrt), |a, _| a.clone().cbrt()));
+}
+
+#[test]
+fn operations_keep_their_bounds_where_each_step_is_watched() {
+    judge_all::<true>();
+}
+
+#[test]
+fn operations_keep_their_bounds_at_ordinary_magnitudes() {
+    judge_all::<false>();
+}
+
+#[test]
+fn comparisons_are_right_or_in_doubt() {
+    let (mut random, doubt) = (Random(2_463_534_242), Cell::new(false));
+    let mut decided = 0;
+    for _ in 0..100_000 {
+        let first = random.number();
+        let second = if random.below(3) == 0 { first } else { random.number() };
+        let (a, b) = (operand::<true>(first, &mut random, &doubt), operand(second, &mut random, &doubt));
+        let found = (a.number < b.number, a.number <= b.number, a.number == b.number);
+        if !doubt.replace(false) {
+            decided += 1;
+            assert_eq!(found, (a.exact < b.exact, a.exact <= b.exact, a.exact == b.exact), "{first:e} {second:e}");
+        }
+    }
+    assert!(decided > 40_000, "{decided}");
+}
+
+#[test]
+fn expressions_keep_their_bounds() {
+    let (mut random, doubt) = (Random(362_436_069), Cell::new(false));
+    let (mut judged, mut largest) = (0, 0.0_f64);
+    for _ in 0..10_000 {
+        let mut numbers: Vec<_> = (0..3)
+            .map(|_| random.number())
+            .map(|x| (Bounded::<true>::new(x, Signs::ANY, &doubt), Float::with_val(BITS, x)))
+            .collect();
+        for _ in 0..2 + random.below(8) {
+            let ((a, x), (b, y)) = (&numbers[numbers.len() - 1], &numbers[random.below(numbers.len() as u64) as usize]);
+            let next = match random.below(6) {
+                0 | 1 => (a.add(b), Float::with_val(BITS, x + y)),
+                2 => (a.sub(b), Float::with_val(BITS, x - y)),
+                3 => (a.mul(b), Float::with_val(BITS, x * y)),
+                4 => (a.div(b), Float::with_val(BITS, x / y)),
+                _ => (a.call(Function::Sqrt), x.clone().sqrt()),
+            };
+            numbers.push(next);
+        }
+        let (found, exact) = &numbers[numbers.len() - 1];
+        if let Some(share) = share(*found, exact, &doubt) {
+            (judged, largest) = (judged + 1, largest.max(share));
+        }
+    }
+    assert!(judged > 1_500 && largest > 0.5, "{judged} {largest}");
+}
+
+#[test]
+fn roots_of_polynomials_are_enclosed() {
+    let (mut random, doubt) = (Random(521_288_629), Cell::new(false));
+    let mut judged = 0;
+    for _ in 0..3_000 {
+        let degree = 1 + random.below(6) as usize;
+        let coefficients: Vec<_> = (0..=degree)
+            .map(|power| {
+                let size = random.number().abs().clamp(1e-3, 1e3);
+                let value = if power == 0 { -size } else { size };
+                let (count, error) = (random.below(3) as u32, [0.0, UNIT * value.abs()][random.below(2) as usize]);
+                let number = Bounded::<true>::with_error(value, count, error, Signs::ANY, &doubt);
+                let sign = if random.below(2) == 0 { 1.0 } else { -1.0 };
+                (number, Float::with_val(400, value) + sign * (error + f64::from(count) * UNIT * value.abs() * 0.999))
+            })
+            .collect();
+        let numbers: Vec<_> = coefficients.iter().map(|(number, _)| *number).collect();
+        let root = numbers[0].positive_root(&numbers);
+        if doubt.replace(false) {
+            continue;
+        }
+        judged += 1;
+        let at = |x: f64| coefficients.iter().rev().fold(Float::new(400), |value, (_, c)| value * x + c);
+        assert!(at(root.value() - root.bound()) <= 0.0 && at(root.value() + root.bound()) >= 0.0);
+        assert!(root.bound() <= 100.0 * UNIT * root.value());
+    }
+    assert!(judged > 2_500, "{judged}");
+}
+
+#[test]
+fn what_has_no_value_is_in_doubt() {
+    let doubt = Cell::new(false);
+    let number = |value| Bounded::<false>::new(value, Signs::ANY, &doubt);
+    let in_doubt = |_: Bounded<'_, false>| doubt.replace(false);
+    assert!(in_doubt(number(1.0).div(&number(0.0))));
+    assert!(in_doubt(number(-1.0).call(Function::Sqrt)));
+    assert!(in_doubt(number(1.0).nan()));
+    assert!(!in_doubt(number(1.0).div(&number(3.0))));
+    let watched = |value| Bounded::<true>::new(value, Signs::ANY, &doubt);
+    let in_doubt = |_: Bounded<'_, true>| doubt.replace(false);
+    assert!(in_doubt(watched(1e-200).mul(&watched(1e-200))));
+    assert!(in_doubt(watched(1e200).mul(&watched(1e200))));
+    assert!(!in_doubt(watched(0.0).mul(&watched(1e-200))));
+}
+
+#[test]
+fn a_promise_is_kept_or_in_doubt() {
+    let doubt = Cell::new(false);
+    let number = |error| Bounded::<true>::with_error(1.0, 3, error, Signs::ANY, &doubt);
+    let kept = |error, promise| (number(error).keeping(promise), !doubt.replace(false)).1;
+    assert!(kept(0.0, 4.0 * UNIT) && !kept(0.0, 2.0 * UNIT));
+    assert!(kept(1e-14, 1e-13) && !kept(1e-13, 1e-13) && !kept(f64::INFINITY, 1e-13) && !kept(f64::NAN, 1e-13));
+}
