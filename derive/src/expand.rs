@@ -113,8 +113,8 @@ impl<'a> Parts<'a> {
 
             impl ::closedform::Program<#sizes> for Program {
                 const INFO: &'static ::closedform::Info = &INFO;
-                const FAST: ::closedform::Fast<#n> = #fast;
                 const TABLE: ::core::option::Option<&'static ::closedform::Table<'static>> = #table;
+                const FAST: ::closedform::Fast<#n> = #fast;
 
                 #[inline(always)]
                 fn evaluate<R: ::closedform::Real>(#all: &[R; #n]) -> [R; #m] {

@@ -321,11 +321,14 @@ fn roots_of_polynomials_are_enclosed() {
         let balls: Vec<Ball<16>> = coefficients.iter().map(|c| Ball::new(*c, &settling)).collect();
         let root = balls[0].positive_root(&balls);
         let (found, _) = root.accepted().unwrap();
-        // the polynomial changes sign between the neighbours of what is rounded
-        let sign = |x: f64| {
-            let x = Float::with_val(BITS, x);
-            coefficients.iter().rev().fold(Float::new(BITS), |sum, c| sum * &x + *c).is_sign_negative()
-        };
-        assert!(sign(found.next_down()) && !sign(found.next_up()), "{coefficients:?}");
+        // the polynomial changes sign between the ends of the ball, and between the neighbours of what is rounded
+        let sign = |x: Float| coefficients.iter().rev().fold(Float::new(BITS), |sum, c| sum * &x + *c);
+        let changes = |below: Float, above: Float| sign(below) < 0 && sign(above) > 0;
+        let (value, exponent) = root.radius.parts();
+        let radius = Float::with_val(BITS, value) << i32::try_from(exponent).unwrap();
+        let middle = float_of(&root.middle);
+        assert!(changes(Float::with_val(BITS, &middle - &radius), middle + radius), "{coefficients:?}");
+        let [below, above] = [found.next_down(), found.next_up()].map(|x| Float::with_val(BITS, x));
+        assert!(changes(below, above), "{coefficients:?}");
     }
 }

@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use closedform_tests::harness::{self, Question};
 use closedform_tests::magnitudes;
 
-const QUESTIONS: [Question; 20] = [
+const QUESTIONS: [Question; 21] = [
     Question::to_all("bound", accuracy::bound),
     Question::to_all("kept", accuracy::kept),
     Question::to_all("formula", accuracy::formula),
