@@ -15,7 +15,7 @@ pub trait Program<const N: usize, const K: usize, const M: usize> {
     const FAST: Fast<N> = Fast { ordinary: 0, signs: [Signs::ANY; N] };
 
     /// The program as data, for the interpreter of the finest tier; `None` where it is too large for that.
-    const TABLE: Option<&'static Table<'static>>;
+    const TABLE: Option<&'static Table<'static>> = None;
 
     /// The results in any arithmetic, whether or not the inputs lie in the domain.
     fn evaluate<R: Real>(inputs: &[R; N]) -> [R; M];
