@@ -44,7 +44,7 @@ const FEW: &str = "few_roundings = true\n";
 const ONE_DIVISION: &str = "few_roundings = false\none_division = true\n";
 
 /// Where conditions hold.
-const USED: [Case; 34] = [
+const USED: [Case; 48] = [
     case("compensated", "", &["?*a*b-c*d"]),
     case("compensated", POSITIVE, &["?*a^2*b-c"]),
     case("conjugate", "a >= 0;b > 0", &["sqrt(?*a+b)-sqrt(?*a)"]),
@@ -55,6 +55,7 @@ const USED: [Case; 34] = [
     case("cube-quotient", "a # b", &["1/(a^(1/3)-b^(1/3))"]),
     case("cube-quotient", "a > 0;b < 0", &["c/((?*a)^(1/3)-b^(1/3))"]),
     case("differences-first", "c > 0", &["?*a/c-?*b/c-d"]),
+    case("differences-first", "c > 0;d > 0", &["?*a*c-?*b*c-d"]),
     case("distributed", POSITIVE, &["3*a*(5*b*sqrt(c)+c)"]),
     with(FEW, case("double-double", POSITIVE, &["a*b/sqrt(?*a+b*c)"])),
     case("factored", "a # b", &["(a^3-3*b*a^2+3*b^2*a-b^3)/(a-b)"]),
@@ -66,6 +67,23 @@ const USED: [Case; 34] = [
     case("merge-cubes", "b # 0", &["(?*a*c^2/(4*%pi^2*b))^(1/3)"]),
     case("merge-cubes", "a # 0", &["?*(a*b)^(1/3)/a"]),
     case("merge-cubes", POSITIVE, &["a^(1/3)*(b+?*c)^(2/3)"]),
+    case("merge-cubes", "a # 0", &["c*a^(1/3)/a"]),
+    case("merge-cubes", "", &["a*3^(1/3)/3"]),
+    // above the bar, where a may be 0
+    case("merge-cubes", "", &["?*a*(a*b)^(1/3)"]),
+    // a radicand with a root, which would cancel
+    case("merge-cubes", POSITIVE, &["(sqrt(a^2+?*b)-a)^(2/3)*(c*d)^(1/3)"]),
+    case("merge-roots", POSITIVE, &["sqrt(sqrt(a^2+?*b)-a)*sqrt(c)/c"]),
+    case("merge-roots", POSITIVE, &["sqrt(a)*(sqrt(c)+?*b)/a"]),
+    case("merge-roots", "a # 0;b > 0", &["?*sqrt(a^2*b)/a^2"]),
+    // magnitudes that the root and the denominator have, the denominator, neither
+    case("merge-roots", "a*b > 0;a # 0;b # 0", &["?*abs(a)*sqrt(a*b)/a^2"]),
+    case("merge-roots", "a # 0;b > 0;c > 0", &["?*abs(a)*sqrt(b)*sqrt(c)/a^2"]),
+    case("merge-roots", "b > 0;c > 0", &["?*abs(a)*sqrt(b)*sqrt(c)*a^2"]),
+    // whole radicands below the bar, with a constant, with a square, and half of one
+    case("merge-roots", "a+b > 0", &["sqrt(3*a+3*b)/(a+b)"]),
+    case("merge-roots", "a # b;c+d > 0", &["sqrt((a-b)^2*(c+d))/((a-b)^2*(c+d))"]),
+    case("merge-roots", POSITIVE, &["?*sqrt((a+b)*(c+d))/(a+b)"]),
     case("merge-roots", "a > 0;b > 0", &["?*sqrt(a)*sqrt(b)/a"]),
     case("merge-roots", "a+b > 0", &["?*sqrt(a+b)/(a+b)"]),
     with(ONE_DIVISION, case("one-reciprocal", POSITIVE, &["?*a/(b*c^2)", "(a+?)/(b^3*c)"])),
@@ -84,7 +102,7 @@ const USED: [Case; 34] = [
 ];
 
 /// Where they do not: what the rule would make of these is wrong, cancels, or is not worth it.
-const REFUSED: [Case; 39] = [
+const REFUSED: [Case; 38] = [
     // the terms agree in sign
     case("compensated", POSITIVE, &["?*a*b+c*d"]),
     // the terms of the root's sum agree in sign
@@ -108,7 +126,6 @@ const REFUSED: [Case; 39] = [
     case("differences-first", "c > 0", &["5*a/c-7*b/c-d"]),
     // the factor has either sign, and so have the terms: their sum may be of terms of other signs than that of the formula
     case("distributed", "b > 0;c > 0", &["3*(a-d)*(5*b*sqrt(c)+c)"]),
-    case("distributed", "b > 0;c > 0", &["(a-d)^3*(b*sqrt(c)+?*c)"]),
     // a bound that is small enough
     case("double-double", POSITIVE, &["a*b/sqrt(?*a+b*c)"]),
     case("factored", POSITIVE, &["a^2+?*b"]),

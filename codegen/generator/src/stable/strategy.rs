@@ -230,6 +230,33 @@ mod tests {
         assert!(made.worst_error() < 5.0);
     }
 
+    /// The rules of the product of a sum and a factor whose polynomial is long, and its error.
+    fn with_a_long_factor(graph: &mut Graph, [p, q]: [Node; 2], sum: Node) -> (Vec<&'static str>, f64) {
+        let binomial = graph.add(p, q);
+        let factor = product(graph, &[binomial; 10]);
+        let outer = graph.mul(factor, sum);
+        let made = finished(graph.clone(), vec![outer], NOTHING);
+        (Vec::from_iter(made.rules(&[])), made.worst_error())
+    }
+
+    #[test]
+    fn no_factor_goes_into_a_sum_that_cancels() {
+        let (mut graph, [p, q, r, s]) = inputs::<4>();
+        let sum = graph.add(r, s);
+        let (rules, error) = with_a_long_factor(&mut graph, [p, q], sum);
+        assert!(rules == ["distributed", "fused"] && error < 2.5, "{rules:?}, {error}");
+        let difference = graph.sub(r, s);
+        let (rules, error) = with_a_long_factor(&mut graph, [p, q], difference);
+        assert!(rules == ["fused"] && error < 3.5, "{rules:?}, {error}");
+        let open = graph.input(4, Sign::ANY);
+        let (rules, _) = with_a_long_factor(&mut graph, [open, q], sum);
+        assert_eq!(rules, ["fused"], "a factor of either sign");
+        let root = graph.call(Function::Sqrt, r);
+        let cancelling = graph.sub(root, s);
+        let (rules, error) = with_a_long_factor(&mut graph, [p, q], cancelling);
+        assert!(rules == ["fused"] && error == f64::INFINITY, "{rules:?}, {error}");
+    }
+
     #[test]
     fn quotients_share_a_division_where_that_is_asked_for() {
         let (mut graph, [x, y, z]) = inputs::<3>();

@@ -23,7 +23,8 @@ pub const RULE: Rule = Rule {
 pub fn steps(builder: &mut Builder, surd: &Surd) -> Result<Option<Node>, TowerError> {
     let [left, right] = surd.signs(&builder.tower);
     let below = left.plus(-right);
-    if !below.is_definite() || !below.is(Sign::NONZERO) {
+    // a sum of signs that cannot be 0 is of one sign
+    if !below.is(Sign::NONZERO) {
         return Ok(None);
     }
     let node = rationalised(builder, surd, below)?;

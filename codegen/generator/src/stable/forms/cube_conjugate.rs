@@ -24,7 +24,8 @@ pub fn steps(builder: &mut Builder, surd: &Surd) -> Result<Option<Node>, TowerEr
     let signs: Vec<Sign> = surd.cubic_terms().iter().map(|term| builder.tower.sign_of(term)).collect();
     let [left, right] = signs[..] else { return Ok(None) };
     let difference = left.plus(-right);
-    if !difference.is_definite() || !difference.is(Sign::NONZERO) {
+    // a sum of signs that cannot be 0 is of one sign
+    if !difference.is(Sign::NONZERO) {
         return Ok(None);
     }
     let [a, b] = cubic::terms(builder, surd)?[..] else { return Ok(None) };

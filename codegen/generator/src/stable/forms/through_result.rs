@@ -58,9 +58,10 @@ fn eliminate(
     sign: Sign,
 ) -> Result<Option<(Polynomial, Polynomial)>, TowerError> {
     let tower = &builder.tower;
-    let Some(radical) = tower.top_radical(&element.numerator).cloned() else { return Ok(None) };
-    let same_root = tower.top_radical(&earlier.element.numerator).is_some_and(|r| r.var == radical.var);
-    if !same_root || radical.degree != 2 || tower.radicals().len() != 1 {
+    // of several roots u would give one by the others: their sums are left to the forms of surds
+    let [radical] = tower.radicals() else { return Ok(None) };
+    let radical = radical.clone();
+    if radical.degree != 2 || ![element, &earlier.element].iter().all(|with| with.numerator.contains(radical.var)) {
         return Ok(None);
     }
     let stand_in = builder.tower.allocate(sign)?;

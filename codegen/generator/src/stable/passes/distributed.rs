@@ -37,12 +37,22 @@ struct Inside {
 
 fn inside(graph: &mut Graph, factor: Node, sum: Node) -> Option<Inside> {
     let (Op::Add(x, y) | Op::Sub(x, y)) = *graph.op(sum) else { return None };
-    if !graph.error(sum).is_finite() || !graph.sign(factor).is_definite() {
+    // of a factor of either sign the steps do not show that the terms agree
+    if may_cancel(graph, sum, [x, y]) || !graph.sign(factor).is_definite() {
         return None;
     }
     let ((one, left), (other, right)) = (times(graph, factor, x)?, times(graph, factor, y)?);
     let node = if matches!(graph.op(sum), Op::Add(..)) { graph.add(left, right) } else { graph.sub(left, right) };
     Some(Inside { node, error: graph.error(left).max(graph.error(right)) + 1.0, expressions: [one, other] })
+}
+
+/// Whether a sum may cancel. One of exact terms may although its error is bounded; of their products, which are rounded, it
+/// would not be.
+fn may_cancel(graph: &Graph, sum: Node, [x, y]: [Node; 2]) -> bool {
+    let exact = [x, y].into_iter().all(|term| graph.error(term) == 0.0);
+    let [left, right] = [x, y].map(|term| graph.sign(term));
+    let sign = left.plus(if matches!(graph.op(sum), Op::Add(..)) { right } else { -right });
+    !graph.error(sum).is_finite() || exact && !sign.is_definite()
 }
 
 /// What takes the factor, a polynomial in the term, and the term with it.
