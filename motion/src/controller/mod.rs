@@ -7,8 +7,9 @@
 //! | [`Form::Arrays`] | JSON with the arrays of a trajectory of ophyd-async's PMAC driver | whole microseconds |
 //! | [`Form::Epics`] | JSON with the process variables of EPICS' profile moves | s, in whole microseconds |
 //!
-//! The first three drive the cubic that has the positions and velocities of two rows at its ends. What is longer than a segment may be
-//! is divided, on the same cubic. Times are rounded to the steps of the form; each is where it was, but for half a step.
+//! The first three drive the cubic that has the positions and velocities of two rows at its ends. What is longer than a
+//! segment may be is divided, on the same cubic. Times are rounded to the steps of the form; each is where it was, but for
+//! half a step.
 //!
 //! Profile moves of EPICS have no velocities: drivers take means over the elements around a point. [`Buffer::longest`] makes
 //! the elements short, and the error falls with its square.
@@ -58,7 +59,8 @@ pub enum Form {
 /// # Errors
 ///
 /// Not as many scalings as axes, or more axes than the controller has letters for; a segment that is shorter than the buffer
-/// allows, or than a step of the form; a longest segment that is too short; more points than the buffer holds; a number that is not finite; the file system.
+/// allows, or than a step of the form; a longest segment that is too short; more points than the buffer holds; a number that
+/// is not finite; the file system.
 pub fn save<R: Into<Row>>(
     path: &Path,
     form: Form,

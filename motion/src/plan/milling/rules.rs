@@ -68,8 +68,8 @@ impl Rules {
         cruise_ratio: 0.0,
     };
 
-    /// Klipper's with its default settings: a square corner velocity of 5 mm/s, chords of 1 mm, a minimum cruise ratio of 0.5. It looks ahead in time,
-    /// which is more moves than any needs to stop.
+    /// Klipper's with its default settings: a square corner velocity of 5 mm/s, chords of 1 mm, a minimum cruise ratio of
+    /// 0.5. It looks ahead in time, which is more moves than any needs to stop.
     pub const KLIPPER: Self = Self {
         corner: Corner::Square(5.0),
         arcs: Arcs::Length(1.0),

@@ -219,7 +219,7 @@ fn kept(points: &[Point]) -> Vec<Point> {
         let next = points.get(index + 1);
         next.is_none_or(|next| next.is_start || next.is_rapid != points[index].is_rapid)
     };
-    let is_kept = |index: &usize| index % every == 0 || points[*index].is_start || is_end(*index);
+    let is_kept = |index: &usize| index.is_multiple_of(every) || points[*index].is_start || is_end(*index);
     (0..points.len()).filter(is_kept).map(|index| points[index]).collect()
 }
 
