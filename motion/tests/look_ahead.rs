@@ -244,6 +244,82 @@ fn rests_and_zero_moves() {
     assert_eq!((plan[0].exit, plan[1].exit, plan[1].length), (0.0, 0.0, 5.0));
 }
 
+/// Times by the rules of Klipper's look-ahead queue (`toolhead.py`, `calc_junction` and `flush`), all moves in one flush, with
+/// the corners of junction deviation. Squares of speeds, as there.
+fn klipper(moves: &[Move], deviation: f64, ratio: f64) -> Vec<f64> {
+    let pieces: Vec<Piece> = moves.iter().map(piece).collect();
+    let delta: Vec<f64> = pieces.iter().map(|one| 2.0 * one.length * one.acceleration).collect();
+    let smooth_delta: Vec<f64> = delta.iter().map(|delta| delta * (1.0 - ratio)).collect();
+    let cruise: Vec<f64> = pieces.iter().map(|one| one.speed * one.speed).collect();
+    let (mut max_start, mut max_smoothed) = (vec![0.0_f64], vec![0.0_f64]);
+    for index in 1..pieces.len() {
+        let corner = corner(&pieces[index - 1], &pieces[index], deviation);
+        max_start.push((corner * corner).min(max_start[index - 1] + delta[index - 1]));
+        max_smoothed.push(max_start[index].min(max_smoothed[index - 1] + smooth_delta[index - 1]));
+    }
+    // start, cruise and end of each move
+    let mut junctions = vec![[0.0_f64; 3]; pieces.len()];
+    let mut delayed: Vec<(usize, f64, f64)> = Vec::new();
+    let (mut next_end, mut next_smoothed, mut peak) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for index in (0..pieces.len()).rev() {
+        let reachable_start = next_end + delta[index];
+        let start = max_start[index].min(reachable_start);
+        let reachable_smoothed = next_smoothed + smooth_delta[index];
+        let smoothed = max_smoothed[index].min(reachable_smoothed);
+        if smoothed < reachable_smoothed {
+            if smoothed + smooth_delta[index] > next_smoothed || !delayed.is_empty() {
+                peak = cruise[index].min((smoothed + reachable_smoothed) * 0.5);
+                let mut most = peak;
+                for (later, start, end) in delayed.drain(..).rev() {
+                    most = most.min(start);
+                    junctions[later] = [start.min(most), most, end.min(most)];
+                }
+            }
+            let top = ((start + reachable_start) * 0.5).min(cruise[index]).min(peak);
+            junctions[index] = [start.min(top), top, next_end.min(top)];
+        } else {
+            delayed.push((index, start, next_end));
+        }
+        (next_end, next_smoothed) = (start, smoothed);
+    }
+    assert!(delayed.is_empty());
+    let time = |(one, [start, top, end]): (&Piece, [f64; 3])| {
+        let twice = 2.0 * one.acceleration;
+        let even = one.length - (top - start) / twice - (top - end) / twice;
+        (2.0 * top.sqrt() - start.sqrt() - end.sqrt()) / one.acceleration + even / top.sqrt()
+    };
+    pieces.iter().zip(junctions).map(time).collect()
+}
+
+#[test]
+fn a_cruise_ratio_is_klippers() {
+    let mut random = Random(3);
+    let mut slower = 0;
+    for _ in 0..300 {
+        let moves = path(&mut random, 120);
+        let (deviation, ratio) = (random.decades(-3.0, -1.0), random.between(0.05, 0.95));
+        let rules = |cruise_ratio| Rules { corner: Corner::Deviation(deviation), cruise_ratio, ..Rules::KLIPPER };
+        let found = rows(&milling(rules(ratio)), &moves);
+        let expected = klipper(&moves, deviation, ratio);
+        for (row, expected) in found.iter().zip(&expected) {
+            assert!((row.time - expected).abs() <= 1e-6 * expected, "{ratio}: {row:?} {expected}");
+        }
+        let without = total(&rows(&milling(rules(0.0)), &moves));
+        assert!(total(&found) >= without * (1.0 - 1e-9));
+        slower += u32::from(total(&found) > 1.01 * without);
+    }
+    assert!(slower > 50, "{slower} of 300 paths know the ratio");
+}
+
+#[test]
+fn a_short_move_cruises_half_of_its_way() {
+    // 2 mm from rest to rest: it could reach the root of 500 * 2; half of the acceleration's way is left to it
+    let one = Move::straight([0.0; 3], [2.0, 0.0, 0.0], Feed::Speed(1000.0));
+    let row = rows(&milling(Rules::KLIPPER), &[one])[0];
+    assert!((row.peak - 500.0_f64.sqrt()).abs() < 1e-12, "{row:?}");
+    assert!((row.time - (2.0 * row.peak / 500.0 + 1.0 / row.peak)).abs() < 1e-12, "{row:?}");
+}
+
 #[test]
 fn bad_rules_are_refused() {
     let refused = |rules: Rules| {
@@ -258,4 +334,6 @@ fn bad_rules_are_refused() {
     refused(Rules { arcs: Arcs::Length(0.0), ..Rules::GRBL });
     refused(Rules { ahead: 0, ..Rules::GRBL });
     refused(Rules { jerk: 0.0, ..Rules::GRBL });
+    refused(Rules { cruise_ratio: 1.0, ..Rules::GRBL });
+    refused(Rules { jerk: 1e4, ..Rules::KLIPPER });
 }

@@ -2,7 +2,7 @@
 
 use closedform_motion::plan::milling::gcode::{Event, Reading};
 use closedform_motion::plan::milling::{Machine, Milling, Model};
-use closedform_motion::plot::{Colouring, Theme, ToolPath};
+use closedform_motion::plot::{Colouring, PageCurve, Theme, ToolPath};
 
 fn gathered(program: &str) -> ToolPath {
     let milling = Milling::new(Machine::default(), Model::default()).expect("a machine");
@@ -61,6 +61,29 @@ fn the_time_axis_has_dwells() {
     let times: Vec<f64> = still.map(|(time, _)| *time).collect();
     assert!((times[times.len() - 1] - times[0] - 30.0).abs() < 1e-6, "{times:?}");
     assert!(page.html().expect("text").contains("Speed"));
+}
+
+#[test]
+fn the_path_of_a_page_knows_what_cuts_and_when() {
+    let page = gathered("G0 X10\nG1 Y10 F600\nG4 P5\nG1 Y20\nG0 X0").page("Job", "", Theme::LIGHT).expect("a page");
+    assert_eq!(page.names, ["cut", "rapid"]);
+    let [cut, rapid] = &page.panels[0].curves[..] else { panic!("two kinds of lines") };
+    let points = |curve: &PageCurve| curve.x.iter().copied().zip(curve.y.iter().copied()).collect::<Vec<_>>();
+    // the dwell holds the point where it is
+    assert_eq!(points(cut), [(10.0, 0.0), (10.0, 10.0), (10.0, 10.0), (10.0, 20.0)]);
+    assert_eq!(points(rapid), [(0.0, 0.0), (10.0, 0.0), (10.0, 20.0), (0.0, 20.0)]);
+    assert_eq!((cut.starts.as_slice(), rapid.starts.as_slice()), (&[0][..], &[0, 2][..]));
+    // the panel of Y says when it begins, rests at 10 mm, and ends
+    let y = &page.panels.iter().find(|panel| panel.title == "Y (mm)").expect("a panel of Y").curves[0];
+    let at = |time: f64| {
+        let index = y.x.partition_point(|x| *x < time - 1e-9).min(y.x.len() - 1);
+        y.y[index]
+    };
+    for (when, place) in cut.when.iter().zip(&cut.y) {
+        assert!((at(*when) - place).abs() < 1e-3, "{when}: {} and {place}", at(*when));
+    }
+    assert!((cut.when[2] - cut.when[1] - 5.0).abs() < 1e-9);
+    assert_eq!((rapid.when[0], rapid.when[3]), (0.0, page.end));
 }
 
 #[test]

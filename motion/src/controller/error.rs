@@ -31,6 +31,16 @@ pub enum ExportError {
         /// In s.
         shortest: f64,
     },
+    /// Segments that can be neither so short nor so long.
+    #[error(
+        "the longest segment is {longest:?} s, and must be {least:?} s at least, so that what is divided is not too short"
+    )]
+    Longest {
+        /// In s.
+        longest: f64,
+        /// In s.
+        least: f64,
+    },
     /// Too many points.
     #[error(
         "the profile has more points than the {most} that the controller holds: plan fewer lines, or a larger tolerance"
@@ -38,6 +48,12 @@ pub enum ExportError {
     Many {
         /// How many it holds.
         most: u64,
+    },
+    /// Two axes of one name.
+    #[error("two axes are called {name} in a program: give them other names")]
+    Names {
+        /// What both become.
+        name: String,
     },
     /// A number that is none.
     #[error("row {row} has a number that is not finite")]

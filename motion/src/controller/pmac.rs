@@ -6,6 +6,7 @@
 use std::io::Write;
 
 use super::error::ExportError;
+use super::number::plain;
 use super::points::{Point, Points, Times};
 use crate::table::Row;
 
@@ -33,14 +34,14 @@ pub(super) fn write<I: Iterator<Item = Row>>(
     for point in points {
         let point = point?;
         if count == 0 {
-            let places: Vec<String> = words(&point, |(position, _)| number(*position));
+            let places: Vec<String> = words(&point, |(position, _)| plain(*position));
             writeln!(out, "RAPID {}\nDWELL0", places.join(" "))?;
         } else {
             if point.steps != steps {
                 steps = point.steps;
-                writeln!(out, "PVT{}", number(steps / 4000.0))?;
+                writeln!(out, "PVT{}", plain(steps / 4000.0))?;
             }
-            let places = words(&point, |(position, velocity)| format!("{}:{}", number(*position), number(*velocity)));
+            let places = words(&point, |(position, velocity)| format!("{}:{}", plain(*position), plain(*velocity)));
             writeln!(out, "{}", places.join(" "))?;
         }
         count += 1;
@@ -52,9 +53,4 @@ pub(super) fn write<I: Iterator<Item = Row>>(
 
 fn words(point: &Point, say: impl Fn(&(f64, f64)) -> String) -> Vec<String> {
     LETTERS.iter().zip(&point.axes).map(|(letter, axis)| format!("{letter}{}", say(axis))).collect()
-}
-
-/// Without an exponent, which the controller does not read.
-fn number(number: f64) -> String {
-    format!("{}", number + 0.0)
 }

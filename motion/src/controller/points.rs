@@ -10,8 +10,26 @@ use crate::table::Row;
 pub struct Buffer {
     /// The shortest time of a segment, in s; 0 for none.
     pub shortest: f64,
+    /// The longest time of a segment, in s; none for what the form can say. Longer ones are divided.
+    pub longest: Option<f64>,
     /// How many points it holds; none for any number.
     pub most: Option<u64>,
+}
+
+impl Buffer {
+    /// The longest segment, in steps of a form.
+    fn longest(&self, times: &Times) -> Result<f64, ExportError> {
+        let Some(longest) = self.longest else { return Ok(times.longest) };
+        // a time that is meant to be a number of steps may be a rounding below it
+        let steps = (longest * times.per_second * (1.0 + 1e-12)).floor();
+        let shortest = (self.shortest * times.per_second).max(1.0);
+        // a longer segment has parts of more than half the longest
+        let least = (2.0 * shortest).max(2.0);
+        if steps >= least || self.shortest == 0.0 && steps >= 1.0 {
+            return Ok(steps.min(times.longest));
+        }
+        Err(ExportError::Longest { longest, least: least / times.per_second })
+    }
 }
 
 /// The times that a form can say.
@@ -40,14 +58,17 @@ pub(super) struct Points<I> {
     scalings: Vec<Scaling>,
     buffer: Buffer,
     times: Times,
+    /// In steps.
+    longest: f64,
     before: Option<(f64, Vec<State>)>,
     left: std::vec::IntoIter<Point>,
     count: u64,
 }
 
 impl<I: Iterator<Item = Row>> Points<I> {
-    pub(super) fn new(rows: I, scalings: Vec<Scaling>, buffer: &Buffer, times: Times) -> Self {
-        Self { rows, scalings, buffer: *buffer, times, before: None, left: Vec::new().into_iter(), count: 0 }
+    pub(super) fn new(rows: I, scalings: Vec<Scaling>, buffer: &Buffer, times: Times) -> Result<Self, ExportError> {
+        let (longest, left) = (buffer.longest(&times)?, Vec::new().into_iter());
+        Ok(Self { rows, scalings, buffer: *buffer, times, longest, before: None, left, count: 0 })
     }
 
     /// A row, divided where it is too long.
@@ -69,7 +90,7 @@ impl<I: Iterator<Item = Row>> Points<I> {
         }
         let moves = |pair: (&State, &State)| pair.0.velocity == pair.1.velocity && pair.0.acceleration == 0.0;
         let is_steady = from.iter().zip(states).all(moves) && from.iter().any(|state| state.velocity != 0.0);
-        let parts = (steps / self.times.longest).ceil();
+        let parts = (steps / self.longest).ceil();
         let ends: Vec<f64> = (0..=parts as u64).map(|part| (steps * part as f64 / parts).round()).collect();
         let point = |pair: &[f64]| {
             let share = pair[1] / steps;

@@ -17,7 +17,7 @@ const DARK: &str = "--back: #0d1117; --text: #e6edf3; --muted: #9aa5b1; --grid: 
                     --c1: #f0a13c; --c2: #3dd6a3; --c3: #e59ac6;";
 
 /// A curve of a page.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Default)]
 pub struct PageCurve {
     /// As the line of values calls it.
     pub name: String,
@@ -27,6 +27,14 @@ pub struct PageCurve {
     pub x: Vec<f64>,
     /// Of its points.
     pub y: Vec<f64>,
+    /// Of a path, when each of its points is reached, in the unit of time of the page; empty where no time is known.
+    pub when: Vec<f64>,
+    /// The indices of points that no line leads to.
+    pub starts: Vec<usize>,
+    /// What its lines are, where a panel has several kinds.
+    pub kind: String,
+    /// With thin lines.
+    pub thin: bool,
 }
 
 /// A dashed line at a value.
@@ -89,6 +97,8 @@ pub struct Page {
     pub names: Vec<String>,
     /// Where the panels over time end, in their unit.
     pub end: f64,
+    /// Of time.
+    pub unit: String,
     /// The panels.
     pub panels: Vec<PagePanel>,
     /// Whether it is dark, or as the screen is that shows it.
@@ -100,6 +110,7 @@ pub struct Page {
 struct Data<'a> {
     names: &'a [String],
     end: f64,
+    unit: &'a str,
     panels: &'a [PagePanel],
 }
 
@@ -110,7 +121,7 @@ impl Page {
     ///
     /// A number is not finite.
     pub fn html(&self) -> Result<String, PlotError> {
-        let data = Data { names: &self.names, end: self.end, panels: &self.panels };
+        let data = Data { names: &self.names, end: self.end, unit: &self.unit, panels: &self.panels };
         if !self.is_finite() {
             return Err(PlotError::Empty { what: "a number of the page is not finite" });
         }
@@ -139,7 +150,7 @@ impl Page {
 
     fn is_finite(&self) -> bool {
         let curves = self.panels.iter().flat_map(|panel| &panel.curves);
-        curves.flat_map(|curve| curve.x.iter().chain(&curve.y)).all(|number| number.is_finite())
+        curves.flat_map(|curve| curve.x.iter().chain(&curve.y).chain(&curve.when)).all(|number| number.is_finite())
     }
 }
 

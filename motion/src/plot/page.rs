@@ -34,6 +34,7 @@ impl Picture<'_> {
             note: self.note.clone(),
             names: self.names(),
             end: self.motion.duration() / time.size,
+            unit: time.name,
             panels,
             is_dark: self.theme == Theme::DARK,
         })
@@ -74,6 +75,7 @@ impl Picture<'_> {
             colour: self.colour(index),
             x,
             y,
+            ..PageCurve::default()
         }
     }
 
@@ -94,7 +96,7 @@ impl Picture<'_> {
             equal: !path.is_stretched,
             note: if path.is_stretched { "not to one scale".to_owned() } else { String::new() },
             arrows: true,
-            curves: vec![PageCurve { name: path.names[1].clone(), colour: -1, x, y }],
+            curves: vec![PageCurve { name: path.names[1].clone(), colour: -1, x, y, ..PageCurve::default() }],
             marks: self.marks.iter().map(mark).collect(),
             ..PagePanel::default()
         }

@@ -31,6 +31,10 @@ type Sink<'a> = &'a mut dyn FnMut(&Event) -> Result<(), TableError>;
 /// Times, writes and prints.
 pub fn run(inputs: &Inputs, output: &Output) -> Outcome<()> {
     let inputs = merged(inputs, output.file.as_deref())?;
+    if let Some(path) = &output.export.export {
+        let message = "milling has times and no motion of the axes: leave --export out, and send the program itself";
+        return Err(Failure(message.to_owned()).at(path));
+    }
     output.spares(inputs.points_file.as_deref())?;
     output.spares(inputs.gcode.as_deref())?;
     let mut path = ToolPath::new();

@@ -74,6 +74,7 @@ impl Output {
                 return Err(Failure(format!("this is the file of --{flag} too: give another name")).at(path));
             }
         }
+        self.export.check()?;
         self.spares(self.file.as_deref())
     }
 
@@ -82,9 +83,11 @@ impl Output {
         &self,
         summary: &mut Summary,
         axes: &[String],
+        count: u64,
         rows: impl IntoIterator<Item = R>,
+        motion: impl FnOnce() -> Outcome<Motion>,
     ) -> Outcome<()> {
-        if let Some((path, points)) = self.export.rows(axes, rows)? {
+        if let Some((path, points)) = self.export.rows(axes, (count, rows), motion, &progress(count))? {
             summary.file(path, Some(points));
         }
         Ok(())
@@ -144,7 +147,7 @@ impl Output {
         let Some(path) = self.table.as_deref().or(self.export.export.as_deref()) else { return Ok(()) };
         let axes: Vec<String> = motion.axes().iter().map(|axis| axis.name.clone()).collect();
         let rows = knots(motion, self.tolerance).map_err(|error| Failure::from(error).at(path))?;
-        self.controller(summary, &axes, rows.clone())?;
+        self.controller(summary, &axes, rows.len() as u64, rows.clone(), || Ok(motion.clone()))?;
         self.table(summary, &axes, rows.len() as u64, rows)
     }
 

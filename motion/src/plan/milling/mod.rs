@@ -15,6 +15,7 @@
 
 mod arc;
 mod corner;
+mod cruise;
 mod cut;
 mod exact_stop;
 pub mod gcode;

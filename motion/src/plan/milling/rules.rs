@@ -40,6 +40,8 @@ pub struct Rules {
     pub follows_curves: bool,
     /// Limit of the jerk along the path, in mm/s³; infinite where the acceleration may jump.
     pub jerk: f64,
+    /// Which part of the way of a short move between corners is cruised at least, from 0 to below 1 (Klipper).
+    pub cruise_ratio: f64,
 }
 
 /// More moves than this no controller looks ahead.
@@ -53,6 +55,7 @@ impl Rules {
         ahead: 16,
         follows_curves: false,
         jerk: f64::INFINITY,
+        cruise_ratio: 0.0,
     };
 
     /// Marlin's with its default settings: junction deviation 0.013 mm, chords of 1 mm, 16 blocks.
@@ -62,16 +65,18 @@ impl Rules {
         ahead: 16,
         follows_curves: true,
         jerk: f64::INFINITY,
+        cruise_ratio: 0.0,
     };
 
-    /// Klipper's with its default settings: a square corner velocity of 5 mm/s, chords of 1 mm. It looks ahead in time,
-    /// which is more moves than any needs to stop.
+    /// Klipper's with its default settings: a square corner velocity of 5 mm/s, chords of 1 mm, a minimum cruise ratio of
+    /// 0.5. It looks ahead in time, which is more moves than any needs to stop.
     pub const KLIPPER: Self = Self {
         corner: Corner::Square(5.0),
         arcs: Arcs::Length(1.0),
         ahead: 256,
         follows_curves: false,
         jerk: f64::INFINITY,
+        cruise_ratio: 0.5,
     };
 
     /// Whether all of them can be kept.
@@ -94,6 +99,13 @@ impl Rules {
         }
         if self.jerk.is_nan() || self.jerk <= 0.0 {
             return wrong("the jerk limit", self.jerk, "make it positive, or infinite where there is none");
+        }
+        if !(self.cruise_ratio >= 0.0 && self.cruise_ratio < 1.0) {
+            return wrong("the minimum cruise ratio", self.cruise_ratio, "make it 0 or more, and less than 1");
+        }
+        if self.cruise_ratio > 0.0 && self.jerk.is_finite() {
+            let remedy = "make it 0 where the jerk is limited: no controller has both";
+            return wrong("the minimum cruise ratio", self.cruise_ratio, remedy);
         }
         Ok(())
     }

@@ -250,9 +250,15 @@ impl Timer {
     /// Klipper's `SET_VELOCITY_LIMIT`: what stands behind it, as `accel=1000 square_corner_velocity=5`.
     pub(super) fn set_limits(&mut self, words: &str) {
         for (name, value) in words.split_ascii_whitespace().filter_map(|word| word.split_once('=')) {
-            let Some(value) = value.parse::<f64>().ok().filter(|value| *value > 0.0 && value.is_finite()) else {
+            let Some(value) = value.parse::<f64>().ok().filter(|value| *value >= 0.0 && value.is_finite()) else {
                 continue;
             };
+            if name == "minimum_cruise_ratio" && value < 1.0 && self.planner.rules().jerk == f64::INFINITY {
+                self.planner.rules_mut().cruise_ratio = value;
+            }
+            if value == 0.0 {
+                continue;
+            }
             match name {
                 "velocity" => self.machine.feed = value,
                 "accel" => self.machine.path_acceleration = [value; 3],

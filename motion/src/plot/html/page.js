@@ -69,9 +69,10 @@ class Panel {
     }
     for (const curve of this.curves) {
       add(inner, "path", { d: this.path(curve), stroke: curve.colour < 0 ? "var(--text)" : colour(curve.colour),
-        "stroke-width": curve.x.length > 5000 && !this.linked ? 0.8 : 1.8, "stroke-linejoin": "round" });
+        "stroke-width": curve.thin || curve.x.length > 5000 && !this.linked ? 0.8 : 1.8, "stroke-linejoin": "round" });
       if (this.arrows) this.arrow(inner, curve);
     }
+    if (now < page.end) this.moment(inner);
     for (const mark of this.marks) {
       add(inner, "circle", { cx: this.px(mark.x), cy: this.py(mark.y), r: 4, stroke: "var(--c1)", fill: "var(--back)" });
       add(inner, "text", { x: this.px(mark.x) + 7, y: this.py(mark.y) - 6 }, mark.name);
@@ -80,6 +81,16 @@ class Panel {
     this.cursor = add(this.svg, "line", { y1: TOP, y2: TOP + this.high, stroke: "var(--muted)", visibility: "hidden" });
     this.dots = this.curves.map(curve => add(this.svg, "circle", { r: 4, visibility: "hidden",
       fill: curve.colour < 0 ? "var(--text)" : colour(curve.colour) }));
+  }
+
+  // Where the tool is at the time of the slider, or that time itself.
+  moment(inner) {
+    if (this.linked) {
+      const x = this.px(now);
+      return add(inner, "line", { x1: x, x2: x, y1: TOP, y2: TOP + this.high, stroke: "var(--muted)", "stroke-width": 1.5 });
+    }
+    const tool = this.curves.map(curve => reached(curve, now)).filter(Boolean).sort((a, b) => b.when - a.when)[0];
+    if (tool) add(inner, "circle", { cx: this.px(tool.x), cy: this.py(tool.y), r: 5, fill: "var(--text)" });
   }
 
   // What is seen: to one scale, where the panel is.
@@ -111,12 +122,16 @@ class Panel {
     let last;
     const go = (index, command) => parts.push(`${command}${this.px(x[index]).toFixed(1)} ${this.py(y[index]).toFixed(1)}`);
     if (!this.linked) {
-      for (let index = 0; index < x.length; index++) {
-        const at = [this.px(x[index]), this.py(y[index])];
-        if (last && index + 1 < x.length && Math.hypot(at[0] - last[0], at[1] - last[1]) < 0.3) continue;
-        go(index, last ? "L" : "M");
+      const starts = new Set(curve.starts);
+      for (let index = 0; index < x.length && !(curve.when[index] > now); index++) {
+        const at = [this.px(x[index]), this.py(y[index])], starting = !last || starts.has(index);
+        const ending = index + 1 === x.length || starts.has(index + 1);
+        if (!starting && !ending && Math.hypot(at[0] - last[0], at[1] - last[1]) < 0.3) continue;
+        go(index, starting ? "M" : "L");
         last = at;
       }
+      const tool = now < page.end && reached(curve, now);
+      if (tool && tool.going) parts.push(`L${this.px(tool.x).toFixed(1)} ${this.py(tool.y).toFixed(1)}`);
       return parts.join("");
     }
     const [low, high] = this.view.x;
@@ -155,9 +170,12 @@ class Panel {
   }
 
   hover(px, py) {
-    const said = [];
+    const said = [], near = this.linked ? [] : this.curves.map(curve => this.nearest(curve, px, py));
+    const closest = near.reduce((best, one, place) => one.off < near[best].off ? place : best, 0);
     this.curves.forEach((curve, place) => {
-      const index = this.linked ? at(curve.x, this.x(px)) : this.nearest(curve, px, py);
+      if (!this.linked && place !== closest) return this.dots[place].setAttribute("visibility", "hidden");
+      const index = this.linked ? at(curve.x, this.x(px)) : near[place].index;
+      if (index >= curve.x.length) return;
       const value = this.linked ? between(curve, this.x(px), index) : curve.y[index];
       const x = this.linked ? Math.min(Math.max(this.x(px), curve.x[0]), curve.x[curve.x.length - 1]) : curve.x[index];
       const dot = this.dots[place];
@@ -166,6 +184,8 @@ class Panel {
       dot.setAttribute("visibility", "visible");
       if (!said.length) said.push(`${this.x_name} ${number(x)} ${this.x_unit}`);
       said.push(`${curve.name} ${number(value)} ${this.y_unit}`);
+      if (curve.kind) said.push(curve.kind);
+      if (!this.linked && curve.when.length) said.push(`at ${number(curve.when[index])} ${page.unit}`);
     });
     return said;
   }
@@ -176,7 +196,7 @@ class Panel {
       const off = Math.hypot(this.px(curve.x[index]) - px, this.py(curve.y[index]) - py);
       if (off < least) [best, least] = [index, off];
     }
-    return best;
+    return { index: best, off: least };
   }
 
   zoom(by, px, py) {
@@ -258,6 +278,22 @@ function between(curve, x, index) {
   return curve.y[a] + share * (curve.y[b] - curve.y[a]);
 }
 
+// Where a path is at a time: on its last line that has begun, or at the end of that.
+function reached(curve, time) {
+  const { x, y, when } = curve;
+  if (!when.length || time < when[0]) return undefined;
+  const index = lower(when, time);
+  if (index > 0 && index < when.length && !curve.starts.includes(index)) {
+    const run = when[index] - when[index - 1], share = run > 0 ? (time - when[index - 1]) / run : 1;
+    const on = values => values[index - 1] + share * (values[index] - values[index - 1]);
+    return { x: on(x), y: on(y), when: time, going: true };
+  }
+  const last = index < when.length && when[index] === time ? index : Math.max(0, index - 1);
+  return { x: x[last], y: y[last], when: when[last], going: false };
+}
+
+// The time of the slider; at its end all is shown.
+let now = page.end;
 const panels = [];
 for (const panel of page.panels) panels.push(new Panel(panel, document.getElementById("panels")));
 page.names.forEach((name, index) => {
@@ -268,4 +304,15 @@ page.names.forEach((name, index) => {
 });
 const redraw = () => panels.forEach(panel => panel.draw());
 addEventListener("resize", redraw);
+const slider = document.getElementById("time"), told = document.getElementById("now");
+document.getElementById("clock").hidden = !page.panels.some(panel => panel.curves.some(curve => curve.when.length));
+function tell() { told.textContent = `${number(now)} ${page.unit}`; }
+let waiting = false;
+slider.addEventListener("input", () => {
+  now = page.end * slider.value / slider.max;
+  tell();
+  if (!waiting) requestAnimationFrame(() => { waiting = false; redraw(); });
+  waiting = true;
+});
+tell();
 redraw();

@@ -27,6 +27,8 @@ pub(super) struct Point {
     /// Asked for, in mm/s.
     pub(super) feed: f64,
     pub(super) is_rapid: bool,
+    /// When it is reached, in s; within an arc as if its speed were even.
+    pub(super) time: f64,
     /// No line leads there: a path begins.
     pub(super) is_start: bool,
 }
@@ -68,15 +70,16 @@ impl Gathered {
         if row.time <= 0.0 {
             return;
         }
-        let point =
-            |at, is_start| Point { at, speed: row.peak, feed: row.feed, is_rapid: row.cut.feed.is_rapid(), is_start };
+        let (begin, is_rapid) = (self.time, row.cut.feed.is_rapid());
+        let point = |share: f64| {
+            let time = begin + share * row.time;
+            Point { at: at(row, share), speed: row.peak, feed: row.feed, is_rapid, time, is_start: share == 0.0 }
+        };
         if self.points.last().is_none_or(|last| last.at != row.cut.from) {
-            self.points.push(point(row.cut.from, true));
+            self.points.push(point(0.0));
         }
         let lines = lines(row);
-        for index in 1..=lines {
-            self.points.push(point(at(row, f64::from(index) / f64::from(lines)), false));
-        }
+        self.points.extend((1..=lines).map(|index| point(f64::from(index) / f64::from(lines))));
         self.over_time(row, lines);
         if self.points.len() > MOST {
             self.thin();
@@ -87,6 +90,9 @@ impl Gathered {
         self.speed.push(self.time, 0.0);
         self.time += time;
         self.speed.push(self.time, 0.0);
+        if let Some(last) = self.points.last().copied() {
+            self.points.push(Point { time: self.time, is_start: false, ..last });
+        }
         for (axis, series) in self.axes.iter_mut().enumerate() {
             if let Some(last) = self.points.last() {
                 series.push(self.time, last.at[axis]);

@@ -60,13 +60,14 @@ impl ToolPath {
     pub fn page(&self, title: &str, note: &str, theme: Theme) -> Result<Page, PlotError> {
         self.check()?;
         let time = time::unit(&self.gathered);
-        let mut panels = vec![path::panel(&self.gathered)];
+        let mut panels = vec![path::panel(&self.gathered, time.size)];
         panels.extend(time::panels(&self.gathered));
         Ok(Page {
             title: title.to_owned(),
             note: note.to_owned(),
-            names: Vec::new(),
+            names: vec!["cut".to_owned(), "rapid".to_owned()],
             end: self.gathered.time / time.size,
+            unit: time.name,
             panels,
             is_dark: theme == Theme::DARK,
         })

@@ -197,14 +197,9 @@ fn holes(gathered: &Gathered, view: &View, colour: impl Fn(&Point) -> &'static s
     dots
 }
 
-/// The path of a page: cuts, and rapid moves.
-pub(super) fn panel(gathered: &Gathered) -> PagePanel {
-    let every = gathered.points.len().div_ceil(MOST_OF_PAGE).max(1);
-    let curve = |name: &str, colour: i32| {
-        let kept = gathered.points.iter().enumerate().filter(|(index, point)| index % every == 0 || point.is_start);
-        let (x, y) = kept.map(|(_, point)| (point.at[0], point.at[1])).unzip();
-        PageCurve { name: name.to_owned(), colour, x, y }
-    };
+/// The path of a page over its unit of time: cuts, and rapid moves thin.
+pub(super) fn panel(gathered: &Gathered, unit: f64) -> PagePanel {
+    let kept = kept(&gathered.points);
     PagePanel {
         title: "Path: Y (mm) over X".to_owned(),
         x_title: "X (mm)".to_owned(),
@@ -212,7 +207,44 @@ pub(super) fn panel(gathered: &Gathered) -> PagePanel {
         x_unit: "mm".to_owned(),
         y_unit: "mm".to_owned(),
         equal: true,
-        curves: vec![curve("Y", -1)],
+        curves: vec![moves(&kept, "cut", 0, unit), moves(&kept, "rapid", 1, unit)],
         ..PagePanel::default()
     }
+}
+
+/// So few points that a page can hold them; the ends of what cuts and of what does not are among them.
+fn kept(points: &[Point]) -> Vec<Point> {
+    let every = points.len().div_ceil(MOST_OF_PAGE).max(1);
+    let is_end = |index: usize| {
+        let next = points.get(index + 1);
+        next.is_none_or(|next| next.is_start || next.is_rapid != points[index].is_rapid)
+    };
+    let is_kept = |index: &usize| index.is_multiple_of(every) || points[*index].is_start || is_end(*index);
+    (0..points.len()).filter(is_kept).map(|index| points[index]).collect()
+}
+
+/// The moves of one kind: each run of them begins where the move before ended.
+fn moves(points: &[Point], kind: &str, colour: i32, unit: f64) -> PageCurve {
+    let is_rapid = colour != 0;
+    let mut curve =
+        PageCurve { name: "Y".to_owned(), colour, kind: kind.to_owned(), thin: is_rapid, ..PageCurve::default() };
+    let mut is_going = false;
+    for pair in points.windows(2) {
+        let is_one = !pair[1].is_start && pair[1].is_rapid == is_rapid;
+        if is_one && !is_going {
+            curve.starts.push(curve.x.len());
+            push(&mut curve, &pair[0], unit);
+        }
+        if is_one {
+            push(&mut curve, &pair[1], unit);
+        }
+        is_going = is_one;
+    }
+    curve
+}
+
+fn push(curve: &mut PageCurve, point: &Point, unit: f64) {
+    curve.x.push(point.at[0]);
+    curve.y.push(point.at[1]);
+    curve.when.push(point.time / unit);
 }

@@ -61,7 +61,7 @@ pub(super) fn frames(gathered: &Gathered, theme: &Theme) -> Vec<Frame> {
 /// The same of a page.
 pub(super) fn panels(gathered: &Gathered) -> Vec<PagePanel> {
     let time = unit(gathered);
-    let panel = |(title, series, colour): (String, &Series, usize)| {
+    let panel = |(title, series, _): (String, &Series, usize)| {
         let points = thinned(series.points().to_vec(), FINE * gathered.time);
         let (x, y) = points.into_iter().map(|(at, value)| (at / time.size, value)).unzip();
         let (name, unit) = title.split_once(" (").unwrap_or((&title, ""));
@@ -71,7 +71,8 @@ pub(super) fn panels(gathered: &Gathered) -> Vec<PagePanel> {
             x_unit: time.name.clone(),
             y_unit: unit.trim_end_matches(')').to_owned(),
             linked: true,
-            curves: vec![PageCurve { name: name.to_owned(), colour: colour as i32, x, y }],
+            // colours of a page say what cuts
+            curves: vec![PageCurve { name: name.to_owned(), colour: -1, x, y, ..PageCurve::default() }],
             title: title.clone(),
             ..PagePanel::default()
         }

@@ -113,6 +113,10 @@ pub struct Inputs {
     /// Look-ahead: limit of the jerk along the path, in mm/s³ [default: none]
     #[arg(long, value_name = "MM/S3")]
     jerk: Option<f64>,
+    /// Look-ahead: which part of the way of a short move between corners is driven at one speed at least, from 0 to below 1
+    /// [default: 0; klipper 0.5]
+    #[arg(long, value_name = "RATIO")]
+    minimum_cruise_ratio: Option<f64>,
     /// Model steps: the largest length of a step, in mm [default: 1]
     #[arg(long, value_name = "MM")]
     step: Option<f64>,
@@ -222,6 +226,7 @@ impl Inputs {
             || self.arc_tolerance.is_some()
             || self.look_ahead.is_some()
             || self.jerk.is_some()
+            || self.minimum_cruise_ratio.is_some()
     }
 
     fn rules(&self, dialect: Option<Dialect>) -> Outcome<Rules> {
@@ -241,7 +246,10 @@ impl Inputs {
             Some(tolerance) => Arcs::Tolerance(tolerance),
         };
         let (ahead, jerk) = (self.look_ahead.unwrap_or(usual.ahead), self.jerk.unwrap_or(usual.jerk));
-        Ok(Rules { corner, arcs, ahead, jerk, ..usual })
+        // a limit of the jerk takes the place of a dialect's ratio
+        let usual_ratio = if jerk.is_finite() { 0.0 } else { usual.cruise_ratio };
+        let cruise_ratio = self.minimum_cruise_ratio.unwrap_or(usual_ratio);
+        Ok(Rules { corner, arcs, ahead, jerk, cruise_ratio, ..usual })
     }
 
     /// How a program of this place is read.

@@ -17,7 +17,8 @@ pub fn run(scan: &DerivedRaster, output: &Output) -> Outcome<()> {
     let shown = shown(&plan)?;
     let mut summary = summary(&plan, &shown);
     output.table(&mut summary, &AXES.map(str::to_owned), plan.knot_count(), plan.rows())?;
-    output.controller(&mut summary, &AXES.map(str::to_owned), plan.rows())?;
+    let whole = || Ok(plan.motion()?);
+    output.controller(&mut summary, &AXES.map(str::to_owned), plan.knot_count(), plan.rows(), whole)?;
     let note = format!(
         "turn-around {}, overhead {:.1} % of {} a line",
         with_unit(plan.turn.duration(), "s"),

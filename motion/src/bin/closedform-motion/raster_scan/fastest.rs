@@ -24,13 +24,23 @@ pub fn run(inputs: &Inputs, output: &Output) -> Outcome<()> {
     let shown = plan.motion(MOST_LINES)?;
     let mut summary = summary(&plan, &shown, inputs.pixels);
     output.table(&mut summary, &RasterPlan::AXES.map(str::to_owned), plan.row_count(), plan.rows())?;
-    output.controller(&mut summary, &RasterPlan::AXES.map(str::to_owned), plan.rows())?;
+    export(&mut summary, &plan, inputs.pixels, output)?;
     if let (Some(path), Some(pixels)) = (inputs.triggers.as_deref(), inputs.pixels) {
         let rows = triggers(path, &plan, pixels)?;
         summary.file(path, Some(rows));
     }
     output.picture(&mut summary, Picture::new(&shown).title(title(&plan)).note(note(&plan)))?;
     output.print(&summary)
+}
+
+/// What a controller takes of the whole raster.
+fn export(summary: &mut Summary, plan: &RasterPlan, pixels: Option<u64>, output: &Output) -> Outcome<()> {
+    if let Some((path, count)) = output.export.pixels(plan, pixels)? {
+        summary.file(path, Some(count));
+        return Ok(());
+    }
+    let whole = || Ok(plan.motion(plan.scan.lines)?);
+    output.controller(summary, &RasterPlan::AXES.map(str::to_owned), plan.row_count(), plan.rows(), whole)
 }
 
 fn triggers(path: &Path, plan: &RasterPlan, pixels: u64) -> Outcome<u64> {
