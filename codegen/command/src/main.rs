@@ -1,5 +1,6 @@
 //! The command `closedform`: reads its arguments and says what went wrong.
 
+mod bind;
 mod bound;
 mod check;
 mod columns;
@@ -50,6 +51,7 @@ enum Command {
     Verify(verify::Args),
     Ledger(ledger::Args),
     Mutants(mutants::Args),
+    Bind(bind::Args),
     Bound(bound::Args),
     /// Plan a move: times, peaks against limits, and the table that a controller takes
     Plan(motion::Args),
@@ -96,6 +98,7 @@ fn run(cli: Cli) -> miette::Result<ExitCode> {
         Command::Verify(args) => verify::run(&args, &project()?)?,
         Command::Ledger(args) => ledger::run(&args, &project()?)?,
         Command::Mutants(args) => mutants::run(&args, &project()?)?,
+        Command::Bind(args) => bind::run(&args, &project()?)?,
         Command::Bound(args) => bound::run(&args)?,
     }
     Ok(ExitCode::SUCCESS)
