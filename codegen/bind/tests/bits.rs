@@ -3,9 +3,10 @@
 mod common;
 
 use closedform::{CallError, Kernel};
+use closedform_bind::Library;
 use closedform_kernels::ALL;
 use closedform_project::{golden, kept};
-use common::{ARCHIVE, BOUND, LIBRARY, answer, compile, compilers, repository};
+use common::{ARCHIVE, BOUND, answer, compile, compilers, library, repository};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs;
@@ -55,11 +56,11 @@ fn points() -> BTreeMap<&'static str, Points> {
 }
 
 /// A program that reads a kernel's number and the bits of inputs a line, and writes what every call says.
-fn driver() -> String {
+fn driver(library: &Library) -> String {
     let mut text = String::from(include_str!("driver.c"));
     let prefix = "closedform_kernels";
     let header = fs::read_to_string(BOUND.join("c99/closedform_kernels_tier1.h")).unwrap();
-    for (position, kernel) in LIBRARY.kernels.iter().enumerate() {
+    for (position, kernel) in library.kernels.iter().enumerate() {
         let (n, m) = (kernel.inputs.len(), kernel.results.len());
         let own = format!("{}_{}", kernel.family, kernel.name);
         let list = |count: usize, item: &dyn Fn(usize) -> String| (0..count).map(item).collect::<Vec<_>>().join(", ");
@@ -100,8 +101,8 @@ fn driver() -> String {
 "
         );
     }
-    let calls = (0..LIBRARY.kernels.len()).map(|position| format!("kernel_{position}")).collect::<Vec<_>>().join(", ");
-    let counts = LIBRARY.kernels.iter().map(|kernel| kernel.inputs.len().to_string()).collect::<Vec<_>>().join(", ");
+    let calls = (0..library.kernels.len()).map(|position| format!("kernel_{position}")).collect::<Vec<_>>().join(", ");
+    let counts = library.kernels.iter().map(|kernel| kernel.inputs.len().to_string()).collect::<Vec<_>>().join(", ");
     text + &format!(
         "\nint main(void) {{
     static void (*const calls[])(const double *) = {{{calls}}};
@@ -139,8 +140,8 @@ fn expected(kernel: &Kernel, point: &[f64]) -> Vec<String> {
 
 #[test]
 fn every_kernel_has_the_bits_of_rust() {
-    let points = points();
-    let position = |name: &str| LIBRARY.kernels.iter().position(|kernel| kernel.full_name() == name).unwrap();
+    let (points, library) = (points(), library());
+    let position = |name: &str| library.kernels.iter().position(|kernel| kernel.full_name() == name).unwrap();
     let mut input = String::new();
     for (name, own) in &points {
         for point in &own.all {
@@ -149,7 +150,7 @@ fn every_kernel_has_the_bits_of_rust() {
         }
     }
     let source = BOUND.join("driver.c");
-    fs::write(&source, driver()).unwrap();
+    fs::write(&source, driver(&library)).unwrap();
     for compiler in compilers() {
         let program = BOUND.join(format!("driver-{compiler}"));
         let archive = ARCHIVE.to_str().unwrap();

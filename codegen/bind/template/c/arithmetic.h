@@ -54,6 +54,16 @@ static inline int cf_is_finite(double x) {
     return fabs(x) <= DBL_MAX;
 }
 
+/* Conditions of which both sides are evaluated, whatever the first one is. */
+
+static inline int cf_both(int left, int right) {
+    return left & right;
+}
+
+static inline int cf_either(int left, int right) {
+    return left | right;
+}
+
 /* Doubles. */
 
 static inline double cf_divide(double a, double b, unsigned *doubt) {

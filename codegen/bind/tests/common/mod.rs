@@ -15,15 +15,15 @@ pub fn repository() -> PathBuf {
 }
 
 /// The repository's kernels.
-pub static LIBRARY: LazyLock<Library> = LazyLock::new(|| {
+pub fn library() -> Library {
     let project = Project::at(&repository()).unwrap();
     Library::new(&project, &Catalogue::open(&project).unwrap()).unwrap()
-});
+}
 
 /// The binding, written.
 pub static BOUND: LazyLock<PathBuf> = LazyLock::new(|| {
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("c");
-    c::tree(&LIBRARY, &out).unwrap().write(&out).unwrap();
+    c::tree(&library(), &out).unwrap().write(&out).unwrap();
     out
 });
 

@@ -111,14 +111,14 @@ impl Printer<'_> {
         values.reduce(|best, next| format!("{name}({best}, {next})")).unwrap_or_default()
     }
 
-    /// A condition. Operators that do not short-circuit: what both sides of a Rust kernel raise is raised here.
+    /// A condition. Both sides are always evaluated, as in Rust: what either raises is raised.
     pub fn condition(&self, condition: &Condition) -> String {
         match condition {
             Condition::Compare { op, left, right } => {
                 self.comparison(*op, &self.expression(left), &self.expression(right))
             }
-            Condition::And(left, right) => format!("({} & {})", self.condition(left), self.condition(right)),
-            Condition::Or(left, right) => format!("({} | {})", self.condition(left), self.condition(right)),
+            Condition::And(left, right) => format!("cf_both({}, {})", self.condition(left), self.condition(right)),
+            Condition::Or(left, right) => format!("cf_either({}, {})", self.condition(left), self.condition(right)),
             Condition::Not(inner) => format!("(!{})", self.condition(inner)),
         }
     }
