@@ -1,6 +1,6 @@
 //! Names in another language: letters that it knows, none of its keywords, none twice.
 
-use crate::BindError;
+use crate::error::BindError;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Names of one scope, each once: arguments of a function, fields of a struct.

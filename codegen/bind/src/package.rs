@@ -1,6 +1,6 @@
 //! The crate that holds the kernels, as its manifest says it.
 
-use crate::BindError;
+use crate::error::BindError;
 use closedform_project::Project;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! Files of a binding below one folder, written without touching what somebody else put there.
 
-use crate::BindError;
+use crate::error::BindError;
 use closedform_project::folder;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -9,7 +9,9 @@ mod rust;
 mod source;
 mod text;
 
-use crate::{BindError, Library, Tree};
+use crate::error::BindError;
+use crate::library::Library;
+use crate::tree::Tree;
 use closedform_system::way::way;
 use names::Names;
 use std::path::Path;

@@ -1,8 +1,8 @@
 //! Names in C: the prefix of the crate, then family and kernel, then what of it.
 
-use crate::library::{Bound, Library, plain};
+use crate::error::BindError;
+use crate::library::{Bound, Library, Quantity, plain};
 use crate::names::{Scope, Symbols, identifier};
-use crate::{BindError, Quantity};
 
 /// Keywords of C and C++, and words that are macros somewhere.
 const KEYWORDS: [&str; 116] = [

@@ -4,6 +4,7 @@
 //! generator refuses names that occur twice, and each begins with the name of the crate of the kernels.
 
 /// The struct that a kernel of several results returns in C.
+#[allow(unused_macros, reason = "every kernel may return a number")]
 macro_rules! returned {
     ($name:ident from $rust:path { $($field:ident),* }) => {
         #[repr(C)]
