@@ -40,7 +40,7 @@ impl Tree {
     ///
     /// When a file is somebody else's, or cannot be written.
     pub fn write(&self, out: &Path) -> Result<usize, BindError> {
-        if let Some(path) = self.files.keys().map(|path| out.join(path)).find(|path| is_foreign(path)) {
+        if let Some(path) = self.files.keys().map(|path| out.join(path)).find(is_foreign) {
             return Err(BindError::Foreign(path));
         }
         let mut changed = 0;
