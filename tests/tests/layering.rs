@@ -7,12 +7,17 @@ use closedform_tests::layering::{self, Edge};
 use closedform_tests::workspace::{self, Source};
 
 /// What crates may depend on, among those of the workspace.
-const CRATES: [(&str, &str); 53] = [
+const CRATES: [(&str, &str); 58] = [
     ("closedform", "closedform-arith"),
     ("closedform", "closedform-derive"),
+    ("closedform-bind", "closedform-measure"),
+    ("closedform-bind", "closedform-project"),
+    ("closedform-bind", "closedform-syntax"),
+    ("closedform-bind", "closedform-system"),
     ("closedform-bounds", "closedform-arith"),
     ("closedform-bounds", "closedform-syntax"),
     ("closedform-cli", "closedform"),
+    ("closedform-cli", "closedform-bind"),
     ("closedform-cli", "closedform-bounds"),
     ("closedform-cli", "closedform-build"),
     ("closedform-cli", "closedform-errata"),
@@ -64,7 +69,9 @@ const CRATES: [(&str, &str); 53] = [
 ];
 
 /// What their tests may depend on besides.
-const CRATES_IN_TESTS: [(&str, &str); 10] = [
+const CRATES_IN_TESTS: [(&str, &str); 12] = [
+    ("closedform-bind", "closedform"),
+    ("closedform-bind", "closedform-kernels"),
     ("closedform-cli", "closedform-measure"),
     ("closedform-cli", "closedform-project"),
     ("closedform-derive", "closedform"),

@@ -1,6 +1,7 @@
 //! The command `closedform`: reads its arguments and says what went wrong.
 
 mod bar;
+mod bind;
 mod bound;
 mod check;
 mod columns;
@@ -56,6 +57,7 @@ enum Command {
     Verify(verify::Args),
     Ledger(ledger::Args),
     Mutants(mutants::Args),
+    Bind(bind::Args),
     Bound(bound::Args),
     Completions(completions::Completions),
     Man(completions::Man),
@@ -121,6 +123,7 @@ fn run(cli: Cli) -> miette::Result<ExitCode> {
         Command::Verify(args) => verify::run(&args, &project()?)?,
         Command::Ledger(args) => ledger::run(&args, &project()?)?,
         Command::Mutants(args) => mutants::run(&args, &project()?)?,
+        Command::Bind(args) => bind::run(&args, &project()?)?,
         Command::Bound(args) => bound::run(&args)?,
         Command::Completions(args) => completions::print(&args, command())?,
         Command::Man(args) => completions::write_manual(&args, command())?,

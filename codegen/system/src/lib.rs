@@ -1,5 +1,5 @@
 //! What the commands need of the operating system: outputs that may close, temporary files that may be left behind, the
-//! processor time of others, and the turn to use what runs once a machine.
+//! processor time of others, the turn to use what runs once a machine, and ways between folders.
 
 #[cfg(not(unix))]
 compile_error!(
@@ -10,3 +10,4 @@ pub mod output;
 pub mod processor;
 pub mod scratch;
 pub mod turn;
+pub mod way;

@@ -1,10 +1,11 @@
 //! The runtime as a dependency of a new crate: a folder, a git repository or a version.
 
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use super::OwnCrateError;
 use crate::program::checkout;
+use closedform_system::way::way;
 
 /// Where a new crate takes the runtime from.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -55,11 +56,11 @@ impl Runtime {
             Self::Folder(folder) => {
                 let checkouts = [folder.clone(), folder.join("..")];
                 let found = checkouts.iter().map(|checkout| checkout.join(part.folder)).find(|folder| part.is(folder));
-                found.map_or_else(|| Err(OwnCrateError::NoRuntime(folder.clone())), |folder| path(out, &folder))
+                found.map(|folder| path(out, &folder)).ok_or_else(|| OwnCrateError::NoRuntime(folder.clone()))
             }
             Self::Beside => {
                 let found = [root, checkout()].iter().map(|root| root.join(part.folder)).find(|folder| part.is(folder));
-                found.map_or_else(|| Ok(version()), |folder| path(out, &folder))
+                Ok(found.map_or_else(version, |folder| path(out, &folder)))
             }
         }
     }
@@ -89,20 +90,8 @@ fn version() -> String {
     quoted(env!("CARGO_PKG_VERSION"))
 }
 
-fn path(out: &Path, folder: &Path) -> Result<String, OwnCrateError> {
-    let whole = |path: &Path| path.canonicalize().map_err(|cause| OwnCrateError::write(path, cause));
-    let relative = relative(&whole(out)?, &whole(folder)?);
-    Ok(format!("{{ path = {} }}", quoted(&relative.to_string_lossy().replace('\\', "/"))))
-}
-
-/// The way from one whole path to another; the other itself where they have no root in common.
-fn relative(from: &Path, to: &Path) -> PathBuf {
-    let shared = from.components().zip(to.components()).take_while(|(one, other)| one == other).count();
-    if shared == 0 {
-        return to.to_owned();
-    }
-    let up = from.components().skip(shared).map(|_| Component::ParentDir);
-    up.chain(to.components().skip(shared)).collect()
+fn path(out: &Path, folder: &Path) -> String {
+    format!("{{ path = {} }}", quoted(&way(out, folder).to_string_lossy().replace('\\', "/")))
 }
 
 /// As a string of TOML.
@@ -113,14 +102,6 @@ fn quoted(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_way_leads_over_what_both_share() {
-        let way = |from: &str, to: &str| relative(Path::new(from), Path::new(to)).display().to_string();
-        assert_eq!(way("/a/mine", "/a/closedform/runtime"), "../closedform/runtime");
-        assert_eq!(way("/a/b/c", "/x/runtime"), "../../../x/runtime");
-        assert_eq!(way("/a/closedform", "/a/closedform/runtime"), "runtime");
-    }
 
     #[test]
     fn words_say_where_the_runtime_is() {
