@@ -9,7 +9,7 @@ use crate::soft::Soft;
 use crate::terms::Terms;
 
 impl Real for f64 {
-    type Wide = Measured;
+    type Extended = Measured;
 
     #[inline(always)]
     fn literal(&self, value: f64) -> Self {
@@ -76,41 +76,41 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn wide_neg(wide: &Measured) -> Measured {
-        -*wide
+    fn extended_neg(extended: &Measured) -> Measured {
+        -*extended
     }
 
     #[inline(always)]
-    fn wide_add_exact(wide: &Measured, exact: &Self) -> Measured {
-        *wide + *exact
+    fn extended_add_exact(extended: &Measured, exact: &Self) -> Measured {
+        *extended + *exact
     }
 
     #[inline(always)]
-    fn wide_add(left: &Measured, right: &Measured) -> Measured {
+    fn extended_add(left: &Measured, right: &Measured) -> Measured {
         *left + *right
     }
 
     #[inline(always)]
-    fn wide_mul_exact(wide: &Measured, exact: &Self) -> Measured {
-        *wide * *exact
+    fn extended_mul_exact(extended: &Measured, exact: &Self) -> Measured {
+        *extended * *exact
     }
 
     #[inline(always)]
-    fn wide_mul(left: &Measured, right: &Measured) -> Measured {
+    fn extended_mul(left: &Measured, right: &Measured) -> Measured {
         *left * *right
     }
 
     #[inline(always)]
-    fn compensated(wide: &Measured, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
-        if wide.settled(threshold) {
-            wide.round()
+    fn compensated(extended: &Measured, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
+        if extended.settled(threshold) {
+            extended.round()
         } else {
             exact::polynomial(operands, |operand| Operand::of(*operand), terms).map_or(f64::NAN, Soft::to_f64)
         }
     }
 
     #[inline(always)]
-    fn residual(wide: &Measured) -> Self {
-        wide.round()
+    fn residual(extended: &Measured) -> Self {
+        extended.round()
     }
 }

@@ -135,9 +135,9 @@ impl Product {
             product.exponent = product.exponent.saturating_add(exponent);
             let mut carry = 0;
             for word in product.words.iter_mut().take(product.used) {
-                let wide = u128::from(*word) * u128::from(significand) + u128::from(carry);
-                *word = wide as u64;
-                carry = (wide >> 64) as u64;
+                let extended = u128::from(*word) * u128::from(significand) + u128::from(carry);
+                *word = extended as u64;
+                carry = (extended >> 64) as u64;
             }
             if carry != 0 {
                 *product.words.get_mut(product.used)? = carry;

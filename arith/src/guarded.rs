@@ -1,8 +1,8 @@
 //! `Guarded`: double-double as a program's arithmetic, which says when it leaves its range; what `faithful` runs in.
 //!
-//! A step in range, and a slice, are off by as little as the [error model](crate::error_model) says. What a program computes
-//! without cancellation outside its slices is therefore right to far better than half a unit, and the leading part of its
-//! result less than one ulp from the true value.
+//! A step in range, and a compensated expression, are off by as little as the [error model](crate::error_model) says.
+//! What a program computes without cancellation outside its compensated expressions is therefore right to far better than
+//! half a unit, and the leading part of its result less than one ulp from the true value.
 
 use core::cell::Cell;
 use core::cmp::Ordering;
@@ -20,8 +20,9 @@ use crate::terms::Terms;
 
 /// A number in double-double; `left` is raised when a step leaves the range.
 ///
-/// Not `WATCHED`, it is for inputs of the kernel's ordinary magnitudes, at which the products inside slices are
-/// error-free. `WATCHED`, it is for all finite inputs: a slice in which one may not be is summed exactly.
+/// Not `WATCHED`, it is for inputs of the kernel's ordinary magnitudes, at which the products inside compensated
+/// expressions are error-free. `WATCHED`, it is for all finite inputs: a compensated expression in which one may not be
+/// is summed exactly.
 #[derive(Clone, Copy)]
 pub struct Guarded<'a, const WATCHED: bool> {
     value: DoubleDouble,
@@ -85,33 +86,33 @@ impl<const WATCHED: bool> PartialOrd for Guarded<'_, WATCHED> {
     }
 }
 
-/// A slice, and where to raise what it leaves.
+/// A compensated expression, and where to raise what it leaves.
 #[derive(Clone, Copy)]
-pub struct GuardedWide<'a, const WATCHED: bool> {
-    wide: Measured,
+pub struct GuardedExtended<'a, const WATCHED: bool> {
+    extended: Measured,
     left: &'a Cell<bool>,
 }
 
-impl<'a, const WATCHED: bool> GuardedWide<'a, WATCHED> {
+impl<'a, const WATCHED: bool> GuardedExtended<'a, WATCHED> {
     #[inline(always)]
-    fn with(&self, wide: Measured) -> Self {
-        GuardedWide { wide, left: self.left }
+    fn with(&self, extended: Measured) -> Self {
+        GuardedExtended { extended, left: self.left }
     }
 
     /// A product of numbers with these leading parts.
     #[inline(always)]
-    fn product(wide: Measured, a: f64, b: f64, left: &'a Cell<bool>) -> Self {
-        GuardedWide { wide: if WATCHED { wide.watched(a, b) } else { wide }, left }
+    fn product(extended: Measured, a: f64, b: f64, left: &'a Cell<bool>) -> Self {
+        GuardedExtended { extended: if WATCHED { extended.watched(a, b) } else { extended }, left }
     }
 
     #[inline(always)]
     fn value(&self) -> Guarded<'a, WATCHED> {
-        Guarded { value: self.wide.value(), left: self.left }
+        Guarded { value: self.extended.value(), left: self.left }
     }
 }
 
 impl<'a, const WATCHED: bool> Real for Guarded<'a, WATCHED> {
-    type Wide = GuardedWide<'a, WATCHED>;
+    type Extended = GuardedExtended<'a, WATCHED>;
 
     /// One that cannot be split as a factor leaves the range; a smaller one only makes its product leave it.
     #[inline(always)]
@@ -175,58 +176,69 @@ impl<'a, const WATCHED: bool> Real for Guarded<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn two_sum(&self, other: &Self) -> GuardedWide<'a, WATCHED> {
-        GuardedWide { wide: Measured::two_sum(self.value.round(), other.value.round()), left: self.left }
+    fn two_sum(&self, other: &Self) -> GuardedExtended<'a, WATCHED> {
+        GuardedExtended { extended: Measured::two_sum(self.value.round(), other.value.round()), left: self.left }
     }
 
     #[inline(always)]
-    fn two_product(&self, other: &Self) -> GuardedWide<'a, WATCHED> {
+    fn two_product(&self, other: &Self) -> GuardedExtended<'a, WATCHED> {
         let (a, b) = (self.value.round(), other.value.round());
-        GuardedWide::product(Measured::two_product(a, b), a, b, self.left)
+        GuardedExtended::product(Measured::two_product(a, b), a, b, self.left)
     }
 
     #[inline(always)]
-    fn wide_neg(wide: &GuardedWide<'a, WATCHED>) -> GuardedWide<'a, WATCHED> {
-        wide.with(-wide.wide)
+    fn extended_neg(extended: &GuardedExtended<'a, WATCHED>) -> GuardedExtended<'a, WATCHED> {
+        extended.with(-extended.extended)
     }
 
     #[inline(always)]
-    fn wide_add_exact(wide: &GuardedWide<'a, WATCHED>, exact: &Self) -> GuardedWide<'a, WATCHED> {
-        wide.with(wide.wide + exact.value.round())
+    fn extended_add_exact(extended: &GuardedExtended<'a, WATCHED>, exact: &Self) -> GuardedExtended<'a, WATCHED> {
+        extended.with(extended.extended + exact.value.round())
     }
 
     #[inline(always)]
-    fn wide_add(left: &GuardedWide<'a, WATCHED>, right: &GuardedWide<'a, WATCHED>) -> GuardedWide<'a, WATCHED> {
-        left.with(left.wide + right.wide)
+    fn extended_add(
+        left: &GuardedExtended<'a, WATCHED>,
+        right: &GuardedExtended<'a, WATCHED>,
+    ) -> GuardedExtended<'a, WATCHED> {
+        left.with(left.extended + right.extended)
     }
 
     #[inline(always)]
-    fn wide_mul_exact(wide: &GuardedWide<'a, WATCHED>, exact: &Self) -> GuardedWide<'a, WATCHED> {
+    fn extended_mul_exact(extended: &GuardedExtended<'a, WATCHED>, exact: &Self) -> GuardedExtended<'a, WATCHED> {
         let exact = exact.value.round();
-        GuardedWide::product(wide.wide * exact, wide.wide.round(), exact, wide.left)
+        GuardedExtended::product(extended.extended * exact, extended.extended.round(), exact, extended.left)
     }
 
     #[inline(always)]
-    fn wide_mul(left: &GuardedWide<'a, WATCHED>, right: &GuardedWide<'a, WATCHED>) -> GuardedWide<'a, WATCHED> {
-        GuardedWide::product(left.wide * right.wide, left.wide.round(), right.wide.round(), left.left)
+    fn extended_mul(
+        left: &GuardedExtended<'a, WATCHED>,
+        right: &GuardedExtended<'a, WATCHED>,
+    ) -> GuardedExtended<'a, WATCHED> {
+        GuardedExtended::product(
+            left.extended * right.extended,
+            left.extended.round(),
+            right.extended.round(),
+            left.left,
+        )
     }
 
     #[inline(always)]
-    fn compensated(wide: &GuardedWide<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
-        if wide.wide.settled(threshold) {
-            return wide.value().in_range(false);
+    fn compensated(extended: &GuardedExtended<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
+        if extended.extended.settled(threshold) {
+            return extended.value().in_range(false);
         }
         let read = |operand: &Self| Operand::of(operand.value.round());
         let sum = exact::polynomial(operands, read, terms).unwrap_or(Soft::NAN);
         let (high, low) = sum.split();
-        let value = Guarded { value: DoubleDouble::two_sum(high, low), left: wide.left };
+        let value = Guarded { value: DoubleDouble::two_sum(high, low), left: extended.left };
         value.in_range(sum.is_zero())
     }
 
     /// A residual of zero is as good as any below the last digit of the iterate.
     #[inline(always)]
-    fn residual(wide: &GuardedWide<'a, WATCHED>) -> Self {
-        wide.left.set(wide.left.get() | !wide.wide.whole());
-        wide.value().in_range(true)
+    fn residual(extended: &GuardedExtended<'a, WATCHED>) -> Self {
+        extended.left.set(extended.left.get() | !extended.extended.whole());
+        extended.value().in_range(true)
     }
 }

@@ -6,12 +6,12 @@ use crate::double_double::DoubleDouble;
 use crate::error_free::product_is_error_free;
 use crate::range;
 
-/// A slice in double-double, and the sum of the magnitudes of its terms.
+/// A compensated expression in double-double, and the sum of the magnitudes of its terms.
 ///
-/// With an n that the slice's operations make ([`compensated`](crate::error_model::compensated)), |value - exact| is at most
-/// n u^2 size, where products add [`UNDERFLOW`] to the size: that much of it, times u^2, is more than a product loses when
-/// parts of it underflow. Overflow, and operands too large to
-/// split, end in a size that is infinite or a value that is NaN: both are [unsettled](Self::settled).
+/// With an n that the compensated expression's operations make ([`compensated`](crate::error_model::compensated)), |value
+/// - exact| is at most n u^2 size, where products add [`UNDERFLOW`] to the size: that much of it, times u^2, is more than
+/// a product loses when parts of it underflow. Overflow, and operands too large to split, end in a size that is infinite
+/// or a value that is NaN: both are [unsettled](Self::settled).
 #[derive(Clone, Copy, Debug)]
 pub struct Measured {
     value: DoubleDouble,

@@ -14,7 +14,8 @@ use crate::terms::Terms;
 
 /// A number of arbitrary precision, correctly rounded to nearest by every operation.
 ///
-/// A result takes the larger precision of its operands. A slice is evaluated at that same precision: raise the precision until the result stops changing.
+/// A result takes the larger precision of its operands. A compensated expression is evaluated at that same precision:
+/// raise the precision until the result stops changing.
 #[derive(Clone, Debug, PartialEq, PartialOrd)]
 pub struct Mpfr(pub Float);
 
@@ -39,7 +40,7 @@ impl From<Float> for Mpfr {
 }
 
 impl Real for Mpfr {
-    type Wide = Mpfr;
+    type Extended = Mpfr;
 
     fn literal(&self, value: f64) -> Self {
         Mpfr::new(self.0.prec(), value)
@@ -95,32 +96,32 @@ impl Real for Mpfr {
         self.mul(other)
     }
 
-    fn wide_neg(wide: &Mpfr) -> Mpfr {
-        wide.neg()
+    fn extended_neg(extended: &Mpfr) -> Mpfr {
+        extended.neg()
     }
 
-    fn wide_add_exact(wide: &Mpfr, exact: &Self) -> Mpfr {
-        wide.add(exact)
+    fn extended_add_exact(extended: &Mpfr, exact: &Self) -> Mpfr {
+        extended.add(exact)
     }
 
-    fn wide_add(left: &Mpfr, right: &Mpfr) -> Mpfr {
+    fn extended_add(left: &Mpfr, right: &Mpfr) -> Mpfr {
         left.add(right)
     }
 
-    fn wide_mul_exact(wide: &Mpfr, exact: &Self) -> Mpfr {
-        wide.mul(exact)
+    fn extended_mul_exact(extended: &Mpfr, exact: &Self) -> Mpfr {
+        extended.mul(exact)
     }
 
-    fn wide_mul(left: &Mpfr, right: &Mpfr) -> Mpfr {
+    fn extended_mul(left: &Mpfr, right: &Mpfr) -> Mpfr {
         left.mul(right)
     }
 
-    fn compensated(wide: &Mpfr, _: f64, _: &[&Self], _: Terms) -> Self {
-        wide.clone()
+    fn compensated(extended: &Mpfr, _: f64, _: &[&Self], _: Terms) -> Self {
+        extended.clone()
     }
 
-    fn residual(wide: &Mpfr) -> Self {
-        wide.clone()
+    fn residual(extended: &Mpfr) -> Self {
+        extended.clone()
     }
 }
 

@@ -1,4 +1,4 @@
-//! `Plain`: the arithmetic of plain calls, `f64`, which raises doubt where a step may not be what it promises.
+//! `Plain`: the arithmetic of default calls, `f64`, which raises doubt where a step may not be what it promises.
 
 use core::cell::Cell;
 use core::cmp::Ordering;
@@ -14,10 +14,10 @@ use crate::terms::Terms;
 /// What `f64` computes, in one of two ways, which return the same bits unless `doubt` is raised.
 ///
 /// Not `WATCHED`, it is for inputs of the kernel's ordinary magnitudes, at which no step over- or underflows: nothing is
-/// tested but what magnitudes do not decide, and loops over it vectorise. A `compensated!` slice that has to be summed
+/// tested but what magnitudes do not decide, and loops over it vectorise. A `compensated!` expression that has to be summed
 /// exactly raises doubt.
 ///
-/// `WATCHED`, it is for all finite inputs: a step that over- or underflows raises doubt, and slices are summed exactly
+/// `WATCHED`, it is for all finite inputs: a step that over- or underflows raises doubt, and compensated expressions are summed exactly
 /// where double-double cannot tell their digits.
 #[derive(Clone, Copy)]
 pub struct Plain<'a, const WATCHED: bool> {
@@ -92,33 +92,33 @@ impl<const WATCHED: bool> PartialOrd for Plain<'_, WATCHED> {
     }
 }
 
-/// A slice, and where to raise doubt.
+/// A compensated expression, and where to raise doubt.
 #[derive(Clone, Copy)]
-pub struct PlainWide<'a, const WATCHED: bool> {
-    wide: Measured,
+pub struct PlainExtended<'a, const WATCHED: bool> {
+    extended: Measured,
     doubt: &'a Cell<bool>,
 }
 
-impl<'a, const WATCHED: bool> PlainWide<'a, WATCHED> {
+impl<'a, const WATCHED: bool> PlainExtended<'a, WATCHED> {
     #[inline(always)]
-    fn with(&self, wide: Measured) -> Self {
-        PlainWide { wide, doubt: self.doubt }
+    fn with(&self, extended: Measured) -> Self {
+        PlainExtended { extended, doubt: self.doubt }
     }
 
     /// A product of numbers with these leading parts.
     #[inline(always)]
-    fn product(wide: Measured, a: f64, b: f64, doubt: &'a Cell<bool>) -> Self {
-        PlainWide { wide: if WATCHED { wide.watched(a, b) } else { wide }, doubt }
+    fn product(extended: Measured, a: f64, b: f64, doubt: &'a Cell<bool>) -> Self {
+        PlainExtended { extended: if WATCHED { extended.watched(a, b) } else { extended }, doubt }
     }
 
     #[inline(always)]
     fn round(&self) -> Plain<'a, WATCHED> {
-        Plain { value: self.wide.round(), doubt: self.doubt }
+        Plain { value: self.extended.round(), doubt: self.doubt }
     }
 }
 
 impl<'a, const WATCHED: bool> Real for Plain<'a, WATCHED> {
-    type Wide = PlainWide<'a, WATCHED>;
+    type Extended = PlainExtended<'a, WATCHED>;
 
     #[inline(always)]
     fn literal(&self, value: f64) -> Self {
@@ -182,44 +182,55 @@ impl<'a, const WATCHED: bool> Real for Plain<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn two_sum(&self, other: &Self) -> PlainWide<'a, WATCHED> {
-        PlainWide { wide: Measured::two_sum(self.value, other.value), doubt: self.doubt }
+    fn two_sum(&self, other: &Self) -> PlainExtended<'a, WATCHED> {
+        PlainExtended { extended: Measured::two_sum(self.value, other.value), doubt: self.doubt }
     }
 
     #[inline(always)]
-    fn two_product(&self, other: &Self) -> PlainWide<'a, WATCHED> {
+    fn two_product(&self, other: &Self) -> PlainExtended<'a, WATCHED> {
         let product = Measured::two_product(self.value, other.value);
-        PlainWide::product(product, self.value, other.value, self.doubt)
+        PlainExtended::product(product, self.value, other.value, self.doubt)
     }
 
     #[inline(always)]
-    fn wide_neg(wide: &PlainWide<'a, WATCHED>) -> PlainWide<'a, WATCHED> {
-        wide.with(-wide.wide)
+    fn extended_neg(extended: &PlainExtended<'a, WATCHED>) -> PlainExtended<'a, WATCHED> {
+        extended.with(-extended.extended)
     }
 
     #[inline(always)]
-    fn wide_add_exact(wide: &PlainWide<'a, WATCHED>, exact: &Self) -> PlainWide<'a, WATCHED> {
-        wide.with(wide.wide + exact.value)
+    fn extended_add_exact(extended: &PlainExtended<'a, WATCHED>, exact: &Self) -> PlainExtended<'a, WATCHED> {
+        extended.with(extended.extended + exact.value)
     }
 
     #[inline(always)]
-    fn wide_add(left: &PlainWide<'a, WATCHED>, right: &PlainWide<'a, WATCHED>) -> PlainWide<'a, WATCHED> {
-        left.with(left.wide + right.wide)
+    fn extended_add(
+        left: &PlainExtended<'a, WATCHED>,
+        right: &PlainExtended<'a, WATCHED>,
+    ) -> PlainExtended<'a, WATCHED> {
+        left.with(left.extended + right.extended)
     }
 
     #[inline(always)]
-    fn wide_mul_exact(wide: &PlainWide<'a, WATCHED>, exact: &Self) -> PlainWide<'a, WATCHED> {
-        PlainWide::product(wide.wide * exact.value, wide.wide.round(), exact.value, wide.doubt)
+    fn extended_mul_exact(extended: &PlainExtended<'a, WATCHED>, exact: &Self) -> PlainExtended<'a, WATCHED> {
+        PlainExtended::product(extended.extended * exact.value, extended.extended.round(), exact.value, extended.doubt)
     }
 
     #[inline(always)]
-    fn wide_mul(left: &PlainWide<'a, WATCHED>, right: &PlainWide<'a, WATCHED>) -> PlainWide<'a, WATCHED> {
-        PlainWide::product(left.wide * right.wide, left.wide.round(), right.wide.round(), left.doubt)
+    fn extended_mul(
+        left: &PlainExtended<'a, WATCHED>,
+        right: &PlainExtended<'a, WATCHED>,
+    ) -> PlainExtended<'a, WATCHED> {
+        PlainExtended::product(
+            left.extended * right.extended,
+            left.extended.round(),
+            right.extended.round(),
+            left.doubt,
+        )
     }
 
     #[inline(always)]
-    fn compensated(wide: &PlainWide<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
-        let (rounded, settled) = (wide.round(), wide.wide.settled(threshold));
+    fn compensated(extended: &PlainExtended<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
+        let (rounded, settled) = (extended.round(), extended.extended.settled(threshold));
         if !WATCHED {
             return rounded.if_fine(rounded.value, settled);
         }
@@ -232,8 +243,8 @@ impl<'a, const WATCHED: bool> Real for Plain<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn residual(wide: &PlainWide<'a, WATCHED>) -> Self {
-        let rounded = wide.round();
-        rounded.watched(rounded.value, wide.wide.whole())
+    fn residual(extended: &PlainExtended<'a, WATCHED>) -> Self {
+        let rounded = extended.round();
+        rounded.watched(rounded.value, extended.extended.whole())
     }
 }

@@ -8,11 +8,11 @@ use crate::terms::Terms;
 /// Expansions of `#[kernel]` call nothing else, nor does the interpreter, so a program means the same in all of them: in
 /// `f64` what users call, in `Mpfr` what judges measure it against.
 ///
-/// [`Wide`](Self::Wide) is what a `compensated!` or `residual!` slice is evaluated in. Its operands count as exact; sums
+/// [`Extended`](Self::Extended) is what a `compensated!` or `residual!` expression is evaluated in. Its operands count as exact; sums
 /// and products of them take the cheapest operation that their kinds allow.
 pub trait Real: Clone + PartialOrd {
-    /// The wider type of a slice.
-    type Wide: Clone;
+    /// The type of extended precision of a compensated expression.
+    type Extended: Clone;
 
     /// The number `value`, in the precision of `self`.
     fn literal(&self, value: f64) -> Self;
@@ -40,22 +40,22 @@ pub trait Real: Clone + PartialOrd {
     fn positive_root(&self, coefficients: &[Self]) -> Self;
 
     /// `self + other`, error-free in `f64`.
-    fn two_sum(&self, other: &Self) -> Self::Wide;
+    fn two_sum(&self, other: &Self) -> Self::Extended;
     /// `self * other`, error-free in `f64`.
-    fn two_product(&self, other: &Self) -> Self::Wide;
-    /// `-wide`
-    fn wide_neg(wide: &Self::Wide) -> Self::Wide;
-    /// `wide + exact`
-    fn wide_add_exact(wide: &Self::Wide, exact: &Self) -> Self::Wide;
+    fn two_product(&self, other: &Self) -> Self::Extended;
+    /// `-extended`
+    fn extended_neg(extended: &Self::Extended) -> Self::Extended;
+    /// `extended + exact`
+    fn extended_add_exact(extended: &Self::Extended, exact: &Self) -> Self::Extended;
     /// `left + right`
-    fn wide_add(left: &Self::Wide, right: &Self::Wide) -> Self::Wide;
-    /// `wide * exact`
-    fn wide_mul_exact(wide: &Self::Wide, exact: &Self) -> Self::Wide;
+    fn extended_add(left: &Self::Extended, right: &Self::Extended) -> Self::Extended;
+    /// `extended * exact`
+    fn extended_mul_exact(extended: &Self::Extended, exact: &Self) -> Self::Extended;
     /// `left * right`
-    fn wide_mul(left: &Self::Wide, right: &Self::Wide) -> Self::Wide;
-    /// The value of a `compensated!` slice, to all digits: `wide` rounded once, if it is larger than `threshold` times
+    fn extended_mul(left: &Self::Extended, right: &Self::Extended) -> Self::Extended;
+    /// The value of a `compensated!` expression, to all digits: `extended` rounded once, if it is larger than `threshold` times
     /// the sum of the magnitudes of its terms; otherwise the sum of products that `terms` make of `operands`, exactly.
-    fn compensated(wide: &Self::Wide, threshold: f64, operands: &[&Self], terms: Terms) -> Self;
-    /// The value of a `residual!` slice: `wide`, rounded once.
-    fn residual(wide: &Self::Wide) -> Self;
+    fn compensated(extended: &Self::Extended, threshold: f64, operands: &[&Self], terms: Terms) -> Self;
+    /// The value of a `residual!` expression: `extended`, rounded once.
+    fn residual(extended: &Self::Extended) -> Self;
 }

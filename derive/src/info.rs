@@ -77,6 +77,6 @@ fn operations_literal(kernel: &Kernel) -> TokenStream {
     let operations = operations(kernel);
     let (keys, counts): (Vec<Ident>, Vec<u32>) =
         operations.named().map(|(key, _, count)| (Ident::new(key, Span::call_site()), count)).unzip();
-    let slices = operations.slices;
-    quote!(::closedform::Operations { #(#keys: #counts,)* slices: #slices })
+    let compensated_expressions = operations.compensated_expressions;
+    quote!(::closedform::Operations { #(#keys: #counts,)* compensated_expressions: #compensated_expressions })
 }

@@ -3,7 +3,7 @@
 //! In the emitted code every name is a `&R`. All shapes run this one program, so they cannot disagree.
 
 use closedform_syntax::{
-    BinaryOp, Condition, Expr, Function, Kernel, Let, Operand, Operation, Part, Relation, Slice, Wide,
+    BinaryOp, CompensatedExpr, Condition, Expr, Extended, Function, Kernel, Let, Operand, Operation, Part, Relation,
 };
 use proc_macro2::{Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::quote;
@@ -61,8 +61,8 @@ fn borrowed(expr: &Expr) -> TokenStream {
             let ident = &name.ident;
             quote!(#ident)
         }
-        Expr::Compensated(slice) => compensated(slice),
-        Expr::Residual(slice) => residual(slice),
+        Expr::Compensated(expression) => compensated(expression),
+        Expr::Residual(expression) => residual(expression),
         _ => {
             let value = owned(expr);
             quote!(&#value)
@@ -169,33 +169,34 @@ fn operator(relation: Relation) -> TokenStream {
     letters.zip(rest).map(|(letter, spacing)| TokenTree::from(Punct::new(letter, spacing))).collect()
 }
 
-/// A `compensated!` slice, as an expression of type `&R`.
-fn compensated(slice: &Slice) -> TokenStream {
-    match Part::of(&slice.value) {
+/// A `compensated!` expression, as an expression of type `&R`.
+fn compensated(expression: &CompensatedExpr) -> TokenStream {
+    match Part::of(&expression.value) {
         Part::Operand(operand) => exact(operand),
-        Part::Wide(part) => {
-            let (wide, operands) = (wide(part), slice.operands.iter().map(borrowed));
-            let (threshold, terms) = (slice.threshold, Literal::byte_string(slice.compact_terms()));
+        Part::Extended(part) => {
+            let (extended, operands) = (extended(part), expression.operands.iter().map(borrowed));
+            let (threshold, terms) = (expression.threshold, Literal::byte_string(expression.compact_terms()));
             let terms = quote!(::closedform::__private::Terms::of(#terms));
-            let value = real("compensated", &[quote!(&#wide), quote!(#threshold), quote!(&[#(#operands),*]), terms]);
+            let value =
+                real("compensated", &[quote!(&#extended), quote!(#threshold), quote!(&[#(#operands),*]), terms]);
             quote!(&#value)
         }
     }
 }
 
-/// A `residual!` slice, as an expression of type `&R`.
-fn residual(slice: &Expr) -> TokenStream {
-    match Part::of(slice) {
+/// A `residual!` expression, as an expression of type `&R`.
+fn residual(expression: &Expr) -> TokenStream {
+    match Part::of(expression) {
         Part::Operand(operand) => exact(operand),
-        Part::Wide(part) => {
-            let wide = wide(part);
-            let value = real("residual", &[quote!(&#wide)]);
+        Part::Extended(part) => {
+            let extended = extended(part);
+            let value = real("residual", &[quote!(&#extended)]);
             quote!(&#value)
         }
     }
 }
 
-/// An operand of a slice, as an expression of type `&R`.
+/// An operand of a compensated expression, as an expression of type `&R`.
 fn exact(operand: Operand) -> TokenStream {
     let value = borrowed(operand.leaf);
     if !operand.negative {
@@ -205,19 +206,19 @@ fn exact(operand: Operand) -> TokenStream {
     quote!(&#negative)
 }
 
-/// A part of a slice, as an expression of type `R::Wide`.
-fn wide(part: Wide) -> TokenStream {
-    let inner = |part: Wide| {
-        let value = wide(part);
+/// A part of a compensated expression, as an expression of type `R::Extended`.
+fn extended(part: Extended) -> TokenStream {
+    let inner = |part: Extended| {
+        let value = extended(part);
         quote!(&#value)
     };
     let value = match part.operation() {
         Operation::TwoSum(a, b) => real("two_sum", &[exact(a), exact(b)]),
         Operation::TwoProduct(a, b) => real("two_product", &[exact(a), exact(b)]),
-        Operation::AddExact(a, b) => real("wide_add_exact", &[inner(a), exact(b)]),
-        Operation::Add(a, b) => real("wide_add", &[inner(a), inner(b)]),
-        Operation::MulExact(a, b) => real("wide_mul_exact", &[inner(a), exact(b)]),
-        Operation::Mul(a, b) => real("wide_mul", &[inner(a), inner(b)]),
+        Operation::AddExact(a, b) => real("extended_add_exact", &[inner(a), exact(b)]),
+        Operation::Add(a, b) => real("extended_add", &[inner(a), inner(b)]),
+        Operation::MulExact(a, b) => real("extended_mul_exact", &[inner(a), exact(b)]),
+        Operation::Mul(a, b) => real("extended_mul", &[inner(a), inner(b)]),
     };
-    if part.negative { real("wide_neg", &[quote!(&#value)]) } else { value }
+    if part.negative { real("extended_neg", &[quote!(&#value)]) } else { value }
 }

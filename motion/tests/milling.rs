@@ -27,7 +27,7 @@ fn cut(milling: &Milling, way: [f64; 3], feed: f64) -> Row {
     job.rows[0]
 }
 
-/// The seed's loop, without its formula: in each step, for each axis, the largest speed by bisection.
+/// The printed derivation's loop, without its formula: in each step, for each axis, the largest speed by bisection.
 struct Brute {
     direction: [f64; 3],
     step: f64,

@@ -135,7 +135,7 @@ impl RangeError {
         self.reason
     }
 
-    /// What the plain call returns for it: an infinity, the nearest number of few digits or none, or NaN.
+    /// What the default call returns for it: an infinity, the nearest number of few digits or none, or NaN.
     pub fn rounded(&self) -> f64 {
         self.value
     }

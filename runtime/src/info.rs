@@ -30,8 +30,9 @@ pub struct Info {
     /// What one evaluation costs, the check of the domain left out.
     pub operations: Operations,
     /// The k of: where every input is 0 or of a magnitude from 2^-k to 2^k, no step of a kernel in `f64` over- or
-    /// underflows, and no product inside a slice loses its error. Other inputs get results as good, but each step is looked
-    /// at, which takes longer. 0 where no k is large enough, and where the function finds the root of a polynomial.
+    /// underflows, and no product inside a compensated expression loses its error. Other inputs get results as good, but
+    /// each step is looked at, which takes longer. 0 where no k is large enough, and where the function finds the root of
+    /// a polynomial.
     pub ordinary: u32,
 }
 

@@ -31,7 +31,7 @@ pub trait Program<const N: usize, const K: usize, const M: usize> {
 pub struct Kernel {
     /// What is known of it.
     pub info: &'static Info,
-    plain: fn(&[f64], &mut [f64]) -> Result<(), LengthError>,
+    default: fn(&[f64], &mut [f64]) -> Result<(), LengthError>,
     faithful: fn(&[f64], &mut [f64]) -> Result<(), LengthError>,
     checked: fn(&[f64], &mut [f64]) -> Result<(), CallError>,
     batch: Batch,
@@ -47,7 +47,7 @@ impl Kernel {
     pub const fn of<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>() -> Self {
         Kernel {
             info: P::INFO,
-            plain: |inputs, results| by_slices(P::INFO, inputs, results, value::<P, N, K, M>),
+            default: |inputs, results| by_slices(P::INFO, inputs, results, value::<P, N, K, M>),
             faithful: |inputs, results| by_slices(P::INFO, inputs, results, faithful::<P, N, K, M>),
             checked: |inputs, results| store(P::INFO, checked::<P, N, K, M>(fixed(P::INFO, inputs)?)?, results),
             batch: |inputs, results| {
@@ -63,7 +63,7 @@ impl Kernel {
 
     /// The results, each NaN outside the domain.
     pub fn eval(&self, inputs: &[f64], results: &mut [f64]) -> Result<(), LengthError> {
-        (self.plain)(inputs, results)
+        (self.default)(inputs, results)
     }
 
     /// The results computed in double-double and rounded once, NaN outside the domain: with an error of less than one

@@ -32,8 +32,8 @@
 //! The arithmetics that kernels run in are those of `closedform-arith`.
 //!
 //! Stack: kernels never allocate and never recurse. Most calls need a kilobyte or two; one that ends in the arithmetic of
-//! last resort, and sums a slice exactly there, some 14 kB (the largest frames of a release build for x86-64: 6.8 kB and
-//! 4.7 kB), as any call of any kernel may.
+//! last resort, and sums a compensated expression exactly there, some 14 kB (the largest frames of a release build for
+//! x86-64: 6.8 kB and 4.7 kB), as any call of any kernel may.
 //!
 //! Features: `std` (default) takes `sqrt` from the standard library instead of `libm`; `mpfr` adds `Mpfr`, the
 //! arithmetic of arbitrary precision in which judges run kernels.

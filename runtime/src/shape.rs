@@ -1,4 +1,4 @@
-//! The shapes of a call that are the same for every program: plain, checked, faithful, single precision, batch row.
+//! The shapes of a call that are the same for every program: default, checked, faithful, single precision, batch row.
 //!
 //! A call has a quick way, which tests little and has no branch, so that batch loops vectorise. Where it is in doubt the row
 //! is [decided](tier) from the beginning, in one arithmetic after another. A kernel without ordinary inputs has no quick way.

@@ -85,10 +85,12 @@ pub const MACRO: &str = "unknown macro: kernels know require!(..), compensated!(
 pub const EXPRESSION: &str = "not an expression of the kernel language";
 pub const IF_ELSE: &str = "`if` is an expression here: add `else { e }`";
 pub const BRANCH: &str = "a branch holds one expression; move `let`s before the `if`";
-pub const SLICE_DIVISION: &str = "a slice cannot divide: divide outside, as in compensated!(a) / compensated!(b)";
-pub const SLICE: &str = "a slice takes only + - *, unary -, literals and names: compute this in a `let` first";
+pub const COMPENSATED_DIVISION: &str =
+    "a compensated expression cannot divide: divide outside, as in compensated!(a) / compensated!(b)";
+pub const COMPENSATED: &str =
+    "a compensated expression takes only + - *, unary -, literals and names: compute this in a `let` first";
 pub const RESIDUAL_DECIDES: &str = "the sign of a residual! may be wrong where it cancels: write compensated!(..)";
-pub const COMPENSATED_SIZE: &str = "this slice is too large: multiplied out, it may have 16384 terms of 16 factors each, \
+pub const COMPENSATED_SIZE: &str = "this compensated expression is too large: multiplied out, it may have 16384 terms of 16 factors each, \
                                     and 255 names and literals; move a part of it to a `let`";
 pub const ROOT: &str = "write positive_root([c0, c1, ..]) with 2 to 33 coefficients, lowest power first";
 

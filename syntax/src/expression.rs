@@ -10,7 +10,7 @@ use syn::{
 };
 
 use crate::error::{self, Errors};
-use crate::kernel::{self, BinaryOp, Slice};
+use crate::kernel::{self, BinaryOp, CompensatedExpr};
 use crate::scope::Scope;
 
 /// Reads expressions and conditions; every method returns `None` only with an error added.
@@ -139,32 +139,32 @@ impl<'r> Reader<'r> {
             return self.refuse_with(mac, if late { error::LATE_REQUIRE } else { error::MACRO });
         }
         let read = mac.mac.parse_body::<Expr>();
-        let slice = self.errors.take(read)?;
-        let slice = self.slice(&slice)?;
+        let expression = self.errors.take(read)?;
+        let expression = self.compensated_expression(&expression)?;
         if !compensated {
-            return Some(kernel::Expr::Residual(slice.into()));
+            return Some(kernel::Expr::Residual(expression.into()));
         }
-        match Slice::new(slice) {
-            Ok(slice) => Some(kernel::Expr::Compensated(slice)),
+        match CompensatedExpr::new(expression) {
+            Ok(expression) => Some(kernel::Expr::Compensated(expression)),
             Err(message) => self.refuse_with(mac, message),
         }
     }
 
     /// Reads an expression inside `compensated!` or `residual!`.
-    fn slice(&mut self, expr: &Expr) -> Option<kernel::Expr> {
+    fn compensated_expression(&mut self, expr: &Expr) -> Option<kernel::Expr> {
         match expr {
-            Expr::Paren(inner) => self.slice(&inner.expr),
-            Expr::Group(inner) => self.slice(&inner.expr),
+            Expr::Paren(inner) => self.compensated_expression(&inner.expr),
+            Expr::Group(inner) => self.compensated_expression(&inner.expr),
             Expr::Lit(literal) => self.literal(literal),
-            Expr::Path(path) if path.path.is_ident("PI") => self.refuse_with(expr, error::SLICE),
+            Expr::Path(path) if path.path.is_ident("PI") => self.refuse_with(expr, error::COMPENSATED),
             Expr::Path(path) => self.name(path),
-            Expr::Unary(unary) => self.negation(unary, Self::slice),
+            Expr::Unary(unary) => self.negation(unary, Self::compensated_expression),
             Expr::Binary(binary) => match operator(&binary.op) {
-                Some(BinaryOp::Div) => self.refuse_with(expr, error::SLICE_DIVISION),
-                Some(op) => self.binary(op, [&binary.left, &binary.right], Self::slice),
+                Some(BinaryOp::Div) => self.refuse_with(expr, error::COMPENSATED_DIVISION),
+                Some(op) => self.binary(op, [&binary.left, &binary.right], Self::compensated_expression),
                 None => self.refuse(expr),
             },
-            Expr::Call(_) | Expr::Macro(_) | Expr::If(_) => self.refuse_with(expr, error::SLICE),
+            Expr::Call(_) | Expr::Macro(_) | Expr::If(_) => self.refuse_with(expr, error::COMPENSATED),
             _ => self.refuse(expr),
         }
     }

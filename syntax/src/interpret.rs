@@ -4,8 +4,8 @@ use std::cmp::Ordering;
 
 use closedform_arith::{Real, Relation};
 
-use crate::kernel::{BinaryOp, Condition, Expr, Kernel, Let, Slice};
-use crate::slice::{Operand, Operation, Part, Wide};
+use crate::compensated::{Extended, Operand, Operation, Part};
+use crate::kernel::{BinaryOp, CompensatedExpr, Condition, Expr, Kernel, Let};
 
 /// Why inputs lie outside the domain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,8 +73,8 @@ impl<R: Real> Machine<R> {
             Expr::Binary { op, left, right } => binary(*op, &self.value(left), &self.value(right)),
             Expr::Extreme { largest, items } => self.extreme(*largest, items),
             Expr::If { condition, then, otherwise } => self.value(if self.holds(condition) { then } else { otherwise }),
-            Expr::Compensated(slice) => self.compensated(slice),
-            Expr::Residual(slice) => self.residual(slice),
+            Expr::Compensated(expression) => self.compensated(expression),
+            Expr::Residual(expression) => self.residual(expression),
             Expr::PositiveRoot(coefficients) => {
                 let coefficients: Vec<R> = coefficients.iter().map(|coefficient| self.value(coefficient)).collect();
                 self.context().positive_root(&coefficients)
@@ -90,21 +90,21 @@ impl<R: Real> Machine<R> {
         values.fold(first, |best, next| if next.partial_cmp(&best) == Some(wanted) { next } else { best })
     }
 
-    fn compensated(&self, slice: &Slice) -> R {
-        match Part::of(&slice.value) {
+    fn compensated(&self, expression: &CompensatedExpr) -> R {
+        match Part::of(&expression.value) {
             Part::Operand(operand) => self.operand(operand),
-            Part::Wide(wide) => {
-                let operands: Vec<R> = slice.operands.iter().map(|operand| self.value(operand)).collect();
+            Part::Extended(extended) => {
+                let operands: Vec<R> = expression.operands.iter().map(|operand| self.value(operand)).collect();
                 let operands: Vec<&R> = operands.iter().collect();
-                R::compensated(&self.wide(wide), slice.threshold, &operands, slice.terms())
+                R::compensated(&self.extended(extended), expression.threshold, &operands, expression.terms())
             }
         }
     }
 
-    fn residual(&self, slice: &Expr) -> R {
-        match Part::of(slice) {
+    fn residual(&self, expression: &Expr) -> R {
+        match Part::of(expression) {
             Part::Operand(operand) => self.operand(operand),
-            Part::Wide(wide) => R::residual(&self.wide(wide)),
+            Part::Extended(extended) => R::residual(&self.extended(extended)),
         }
     }
 
@@ -113,17 +113,17 @@ impl<R: Real> Machine<R> {
         if operand.negative { value.neg() } else { value }
     }
 
-    fn wide(&self, wide: Wide) -> R::Wide {
+    fn extended(&self, extended: Extended) -> R::Extended {
         let operand = |operand| self.operand(operand);
-        let value = match wide.operation() {
+        let value = match extended.operation() {
             Operation::TwoSum(a, b) => operand(a).two_sum(&operand(b)),
             Operation::TwoProduct(a, b) => operand(a).two_product(&operand(b)),
-            Operation::AddExact(a, b) => R::wide_add_exact(&self.wide(a), &operand(b)),
-            Operation::Add(a, b) => R::wide_add(&self.wide(a), &self.wide(b)),
-            Operation::MulExact(a, b) => R::wide_mul_exact(&self.wide(a), &operand(b)),
-            Operation::Mul(a, b) => R::wide_mul(&self.wide(a), &self.wide(b)),
+            Operation::AddExact(a, b) => R::extended_add_exact(&self.extended(a), &operand(b)),
+            Operation::Add(a, b) => R::extended_add(&self.extended(a), &self.extended(b)),
+            Operation::MulExact(a, b) => R::extended_mul_exact(&self.extended(a), &operand(b)),
+            Operation::Mul(a, b) => R::extended_mul(&self.extended(a), &self.extended(b)),
         };
-        if wide.negative { R::wide_neg(&value) } else { value }
+        if extended.negative { R::extended_neg(&value) } else { value }
     }
 
     /// Evaluates all of it, as the compiled kernel does: an arithmetic may note what happens in any part.

@@ -184,7 +184,7 @@ pub enum Expr {
         otherwise: Box<Expr>,
     },
     /// `compensated!(e)`
-    Compensated(Slice),
+    Compensated(CompensatedExpr),
     /// `residual!(e)`; `e` consists of literals, names, `+ - *` and unary `-`.
     Residual(Box<Expr>),
     /// `positive_root([c0, c1, ..])`
@@ -193,8 +193,8 @@ pub enum Expr {
 
 /// What stands in `compensated!`, and how it is evaluated where double-double cannot tell its digits.
 #[derive(Clone, Debug)]
-pub struct Slice {
-    /// The slice: literals, names, `+ - *` and unary `-`.
+pub struct CompensatedExpr {
+    /// The compensated expression: literals, names, `+ - *` and unary `-`.
     pub value: Box<Expr>,
     /// Its literals and names, each once.
     pub operands: Vec<Expr>,

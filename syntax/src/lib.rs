@@ -13,6 +13,7 @@ mod attribute;
 mod body;
 mod certificate;
 mod comparison;
+mod compensated;
 mod condition;
 mod error;
 mod expression;
@@ -27,21 +28,22 @@ mod output;
 mod pattern;
 mod print;
 mod scope;
-mod slice;
 mod unit;
 mod walk;
 
 pub use closedform_arith::{Function, Operations, Precision, Relation};
 
 pub use certificate::{RULES, certificate, certified};
+pub use compensated::{Extended, Operand, Operation, Part};
 pub use file::{Source, parse_file, sources};
 pub use interpret::{Violation, evaluate, violated};
-pub use kernel::{BinaryOp, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Require, ResultMeta, Slice};
+pub use kernel::{
+    BinaryOp, CompensatedExpr, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Require, ResultMeta,
+};
 pub use limits::check as check_limits;
 pub use magnitude::ordinary;
 pub use operations::{operations, operations_of};
 pub use print::{condition_text, expression_text};
-pub use slice::{Operand, Operation, Part, Wide};
 pub use unit::{BASES, Dimension, UnitError};
 
 use proc_macro2::TokenStream;

@@ -2,12 +2,12 @@
 //!
 //! Every value is followed as bounds of its magnitude, a power of two that it is a multiple of, and its sign. A sum whose
 //! terms may cancel is either zero or no smaller than the power of two that they are multiples of. What magnitudes cannot
-//! tell the runtime tests at every call: that `compensated!` slices are larger than their threshold, divisors not zero,
+//! tell the runtime tests at every call: that `compensated!` expressions are larger than their threshold, divisors not zero,
 //! radicands not negative.
 
 mod bounds;
+mod compensated;
 mod signs;
-mod slice;
 
 use closedform_arith::Precision;
 
@@ -20,8 +20,8 @@ use signs::Signs;
 const LARGEST: u32 = 1000;
 
 /// The largest k of: where every input is 0 or of a magnitude from 2^-k to 2^k, no step of a kernel in `f64` over- or
-/// underflows (in double-double each is tested), and no product inside a slice loses its error. 0 where there is none,
-/// where the kernel finds the root of a polynomial, and where it certifies every call.
+/// underflows (in double-double each is tested), and no product inside a compensated expression loses its error. 0 where
+/// there is none, where the kernel finds the root of a polynomial, and where it certifies every call.
 pub fn ordinary(kernel: &Kernel) -> u32 {
     if kernel.meta.precision == Precision::Certified {
         return 0;
@@ -98,11 +98,11 @@ impl Walk<'_> {
                 self.condition(condition)?;
                 self.any([&**then, &**otherwise].into_iter())
             }
-            Expr::Compensated(slice) => {
-                self.stays(slice::compensated(slice, self.signs, &|leaf| self.value(leaf))?, Bounds::normal)
+            Expr::Compensated(expression) => {
+                self.stays(compensated::compensated(expression, self.signs, &|leaf| self.value(leaf))?, Bounds::normal)
             }
-            Expr::Residual(slice) => {
-                self.stays(slice::residual(slice, self.signs, &|leaf| self.value(leaf))?, Bounds::finite)
+            Expr::Residual(expression) => {
+                self.stays(compensated::residual(expression, self.signs, &|leaf| self.value(leaf))?, Bounds::finite)
             }
             // Its magnitude is unknown, and its polynomial vanishes there, so that it is in doubt nearly always.
             Expr::PositiveRoot(_) => None,
@@ -169,14 +169,14 @@ mod tests {
     }
 
     #[test]
-    fn products_in_slices_keep_their_errors() {
+    fn products_in_compensated_expressions_keep_their_errors() {
         assert_eq!(of("compensated!(x * y)"), 484);
         assert_eq!(of("compensated!(x * y - x * x * y)"), 322);
         assert_eq!(of("compensated!((x - y) * (x + y) * x)"), 288);
     }
 
     #[test]
-    fn in_double_double_slices_of_steps_are_what_counts() {
+    fn in_double_double_sums_of_steps_are_what_counts() {
         // a product lies above 2^-968, a step in double-double above 2^-450, in `f64` at 2^(-2 k - 52) or above
         assert_eq!(of("let s = x - y * x; compensated!(s * x - y)"), 305);
         assert_eq!(of("let s = x - y * x; compensated!(s * s * x - y)"), 68);

@@ -42,8 +42,8 @@ struct Counter(Operations);
 impl Counter {
     fn expression(&mut self, expr: &Expr) {
         match expr {
-            Expr::Compensated(slice) => return self.slice(&slice.value),
-            Expr::Residual(slice) => return self.slice(slice),
+            Expr::Compensated(expression) => return self.compensated_expression(&expression.value),
+            Expr::Residual(expression) => return self.compensated_expression(expression),
             Expr::Binary { op, .. } => *self.operator(*op) += 1,
             Expr::Call(function, _) => self.0.count(*function),
             Expr::PositiveRoot(_) => self.0.root += 1,
@@ -53,9 +53,9 @@ impl Counter {
         expr.children().into_iter().for_each(|child| self.expression(child));
     }
 
-    fn slice(&mut self, value: &Expr) {
-        self.0.slices += 1;
-        self.0.compensated += slice_operations(value);
+    fn compensated_expression(&mut self, value: &Expr) {
+        self.0.compensated_expressions += 1;
+        self.0.compensated += operations_inside(value);
     }
 
     fn operator(&mut self, op: BinaryOp) -> &mut u32 {
@@ -67,10 +67,10 @@ impl Counter {
     }
 }
 
-/// The double-double operations of a slice.
-fn slice_operations(slice: &Expr) -> u32 {
+/// The double-double operations of a compensated expression.
+fn operations_inside(expression: &Expr) -> u32 {
     let mut count = 0;
-    slice.visit(&mut |part| count += u32::from(matches!(part, Expr::Binary { .. })));
+    expression.visit(&mut |part| count += u32::from(matches!(part, Expr::Binary { .. })));
     count
 }
 
@@ -89,9 +89,9 @@ mod tests {
                 S { p: own * own, q: if other > 0.0 { shared } else { -shared } }
             }";
         let kernel = crate::parse_file(source).unwrap().remove(0);
-        let slice = Operations { compensated: 2, slices: 1, ..Operations::default() };
-        assert_eq!(operations_of(&kernel, 0), Operations { mul: 1, div: 1, sqrt: 1, ..slice });
-        assert_eq!(operations_of(&kernel, 1), Operations { add: 2, ..slice });
-        assert_eq!(operations(&kernel), Operations { add: 2, mul: 1, div: 1, sqrt: 1, ..slice });
+        let expression = Operations { compensated: 2, compensated_expressions: 1, ..Operations::default() };
+        assert_eq!(operations_of(&kernel, 0), Operations { mul: 1, div: 1, sqrt: 1, ..expression });
+        assert_eq!(operations_of(&kernel, 1), Operations { add: 2, ..expression });
+        assert_eq!(operations(&kernel), Operations { add: 2, mul: 1, div: 1, sqrt: 1, ..expression });
     }
 }

@@ -37,7 +37,7 @@ fn text(expr: &Expr, outer: u8) -> String {
         Expr::Name(name) => return name.ident.to_string(),
         Expr::Pi(_) => return "PI".to_owned(),
         Expr::Call(function, inner) => return format!("{}({})", function.name(), text(inner, 0)),
-        Expr::Compensated(slice) => return format!("compensated!({})", text(&slice.value, 0)),
+        Expr::Compensated(expression) => return format!("compensated!({})", text(&expression.value, 0)),
         Expr::Residual(inner) => return format!("residual!({})", text(inner, 0)),
         Expr::Extreme { largest, items } => {
             return format!("{}({})", if *largest { "max" } else { "min" }, list_text(items));

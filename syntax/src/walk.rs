@@ -1,15 +1,15 @@
 //! The walk over a kernel's trees: what stands inside what, said once for every question asked of all of it.
 
-use crate::kernel::{Condition, Expr, Kernel, Slice};
+use crate::kernel::{CompensatedExpr, Condition, Expr, Kernel};
 
 impl Expr {
-    /// The expressions directly inside, in order; of an `if` those that its condition compares come first, and of a slice
-    /// it is what is written in it.
+    /// The expressions directly inside, in order; of an `if` those that its condition compares come first, and of a
+    /// compensated expression it is what is written in it.
     pub fn children(&self) -> Vec<&Expr> {
         match self {
             Expr::Literal { .. } | Expr::Name(_) | Expr::Pi(_) => Vec::new(),
             Expr::Neg(inner) | Expr::Call(_, inner) | Expr::Residual(inner) => vec![inner],
-            Expr::Compensated(slice) => vec![&slice.value],
+            Expr::Compensated(expression) => vec![&expression.value],
             Expr::Binary { left, right, .. } => vec![left, right],
             Expr::If { condition, then, otherwise } => {
                 condition.sides().into_iter().chain([&**then, &**otherwise]).collect()
@@ -18,7 +18,8 @@ impl Expr {
         }
     }
 
-    /// The same expression of other [children](Self::children), as many as it has; `None` where a slice of them is too large.
+    /// The same expression of other [children](Self::children), as many as it has; `None` where a compensated expression
+    /// of them is too large.
     pub fn with_children(&self, children: Vec<Expr>) -> Option<Expr> {
         let mut children = children.into_iter();
         let mut next = || children.next().map(Box::new);
@@ -27,7 +28,7 @@ impl Expr {
             Expr::Neg(_) => Expr::Neg(next()?),
             Expr::Call(function, _) => Expr::Call(*function, next()?),
             Expr::Residual(_) => Expr::Residual(next()?),
-            Expr::Compensated(_) => Expr::Compensated(Slice::new(*next()?).ok()?),
+            Expr::Compensated(_) => Expr::Compensated(CompensatedExpr::new(*next()?).ok()?),
             Expr::Binary { op, .. } => Expr::Binary { op: *op, left: next()?, right: next()? },
             Expr::If { condition, .. } => {
                 let condition = condition.with_sides(&mut || next().map(|side| *side))?.into();

@@ -69,7 +69,8 @@ fn names_resolve_to_slots() {
 
 #[test]
 fn operations_are_counted() {
-    let expected = Operations { add: 1, mul: 0, div: 1, sqrt: 1, cbrt: 0, compensated: 2, slices: 1, root: 1 };
+    let expected =
+        Operations { add: 1, mul: 0, div: 1, sqrt: 1, cbrt: 0, compensated: 2, compensated_expressions: 1, root: 1 };
     assert_eq!(operations(&ramp()), expected);
 }
 

@@ -7,10 +7,10 @@ use rug::{Float, Rational};
 
 use crate::check::Judge;
 use crate::complex::real_value;
+use crate::errata::{Claim, Row, part};
 use crate::failure::{list, replay};
 use crate::inputs::Maker;
 use crate::kernels;
-use crate::scan::{Claim, Row, part};
 use crate::ulp::{self, F64};
 
 /// Bits in which true forms are evaluated, and in which their digits are confirmed.
@@ -255,14 +255,14 @@ fn solve(argument: &Expr, unknown: &str, input: f64, start: Float, names: &mut N
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scan;
+    use crate::errata;
 
     /// What comes out for the claims of rows that have this formula.
-    fn check(scan: &str, call: &str, example: &str) -> Result<usize, String> {
+    fn check(printed: &str, call: &str, example: &str) -> Result<usize, String> {
         let text = format!(
-            "[[output]]\ncell = 'a'\nscan = '{scan}'\nexample = '{example}'\n[[output.kernel]]\ncall = '{call}'\n"
+            "[[output]]\ncell = 'a'\nprinted = '{printed}'\nexample = '{example}'\n[[output.kernel]]\ncall = '{call}'\n"
         );
-        let rows = scan::parse(&text)?;
+        let rows = errata::parse(&text)?;
         Case::new(&rows[0], &rows[0].claims[0])?.check(1, 20)
     }
 

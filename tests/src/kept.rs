@@ -1,4 +1,4 @@
-//! What hunts found and the project keeps, judged before anything else.
+//! What searches found and the project keeps, judged before anything else.
 
 pub use closedform_project::kept::{Kept, parse};
 
@@ -7,7 +7,7 @@ use crate::inputs::Points;
 use crate::workspace;
 
 /// What to do about a file that is not as it should be.
-const REMEDY: &str = "run `closedform verify --hunt 60s --keep` and commit tests/worst";
+const REMEDY: &str = "run `closedform verify --search 60s --keep` and commit tests/worst";
 
 /// All that is kept.
 pub fn load() -> Vec<Kept> {

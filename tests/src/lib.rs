@@ -5,21 +5,23 @@
 //! are the project's.
 
 pub mod algebra;
+pub mod as_written;
 pub mod assembly;
 pub mod bare;
 pub mod bounds;
 pub mod budget;
 pub mod check;
 pub mod claim;
+pub mod climb;
 pub mod complex;
 pub mod contract;
 pub mod coverage;
 pub mod cycles;
 pub mod domain;
+pub mod errata;
 pub mod failure;
 pub mod golden;
 pub mod harness;
-pub mod hunt;
 pub mod inputs;
 pub mod kept;
 pub mod kernels;
@@ -28,13 +30,11 @@ pub mod layering;
 pub mod links;
 pub mod magnitudes;
 pub mod parallel;
-pub mod plain;
 pub mod printing;
 pub mod random;
 pub mod rational;
 pub mod reference;
 pub mod scaling;
-pub mod scan;
 pub mod shapes;
 pub mod strategy;
 pub mod sweep;

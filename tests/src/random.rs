@@ -5,7 +5,7 @@ use std::env;
 /// The variable that sets another seed.
 pub const VARIABLE: &str = "CLOSEDFORM_SEED";
 
-/// The seed: that of the environment in decimal, else always the same one.
+/// The random seed: that of the environment in decimal, else always the same one.
 pub fn seed() -> u64 {
     match env::var(VARIABLE) {
         Ok(text) => text.parse().unwrap_or_else(|_| panic!("{VARIABLE}={text}: give a whole number")),

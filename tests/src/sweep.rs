@@ -1,4 +1,4 @@
-//! The sweep: plain and faithful results at very many points, against the kernel's own program in MPFR.
+//! The sweep: default and faithful results at very many points, against the kernel's own program in MPFR.
 //!
 //! `closedform check` proves that program equal to the reference, whose evaluation takes far longer.
 
@@ -14,7 +14,8 @@ use crate::ulp::{self, F64};
 /// Bits of the first two evaluations; more where they disagree.
 const PRECISIONS: (u32, u32) = (192, 256);
 
-/// Bits at which the program is given up, and those at which it is believed to vanish: no slice of doubles has more.
+/// Bits at which the program is given up, and those at which it is believed to vanish: no compensated expression of
+/// doubles has more.
 const MOST_PRECISE: u32 = 1 << 16;
 const VANISHES: u32 = 1 << 15;
 
@@ -29,13 +30,13 @@ const TRIES: usize = 8;
 pub struct Swept {
     /// How many points were judged.
     pub points: usize,
-    /// The worst plain result, in units of its bound.
-    pub plain: f64,
+    /// The worst default result, in units of its bound.
+    pub default: f64,
     /// The worst faithful result, in ulp.
     pub faithful: f64,
 }
 
-/// Demands of `count` points, neighbours of those given, that plain results keep their bounds and faithful ones are less
+/// Demands of `count` points, neighbours of those given, that default results keep their bounds and faithful ones are less
 /// than one ulp off.
 ///
 /// # Errors
@@ -74,7 +75,7 @@ fn neighbour(value: f64, near: bool, random: &mut Random) -> f64 {
 struct Sweep<'a> {
     judge: &'a Judge,
     origin: &'a str,
-    plain: Vec<f64>,
+    default: Vec<f64>,
     faithful: Vec<f64>,
     swept: Swept,
 }
@@ -82,12 +83,12 @@ struct Sweep<'a> {
 impl<'a> Sweep<'a> {
     fn new(judge: &'a Judge, origin: &'a str) -> Self {
         let results = vec![0.0; judge.kernel.info.results.len()];
-        Sweep { judge, origin, plain: results.clone(), faithful: results, swept: Swept::default() }
+        Sweep { judge, origin, default: results.clone(), faithful: results, swept: Swept::default() }
     }
 
     /// Whether the point is inside the domain and `f64` holds all results; then they are known.
     fn takes(&mut self, point: &[f64]) -> Result<bool, String> {
-        match self.judge.kernel.checked(point, &mut self.plain) {
+        match self.judge.kernel.checked(point, &mut self.default) {
             Err(CallError::Domain(_) | CallError::Range(_)) => return Ok(false),
             outcome => outcome.map_err(|error| error.to_string())?,
         }
@@ -98,16 +99,16 @@ impl<'a> Sweep<'a> {
     fn judge_at(&mut self, point: &[f64]) -> Result<(), String> {
         let exact = self.exact(point)?;
         for (result, exact) in exact.iter().enumerate() {
-            let (plain, faithful) = (self.plain[result], self.faithful[result]);
-            let errors = [plain, faithful].map(|actual| ulp::distance(actual, exact, F64));
+            let (default, faithful) = (self.default[result], self.faithful[result]);
+            let errors = [default, faithful].map(|actual| ulp::distance(actual, exact, F64));
             let share = if errors[0] == 0.0 { 0.0 } else { errors[0] / self.judge.bound(result) };
             if share > 1.0 || errors[1] >= 1.0 {
                 let name = self.judge.kernel.info.results[result].name;
                 let what =
-                    format!("`{name}` is {plain:?}, faithful {faithful:?}, expected {exact:.20}: {errors:?} ulp");
+                    format!("`{name}` is {default:?}, faithful {faithful:?}, expected {exact:.20}: {errors:?} ulp");
                 return Err(self.told(point, &what));
             }
-            self.swept.plain = self.swept.plain.max(share);
+            self.swept.default = self.swept.default.max(share);
             self.swept.faithful = self.swept.faithful.max(errors[1]);
         }
         self.swept.points += 1;

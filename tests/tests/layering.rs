@@ -98,7 +98,7 @@ const WHOLE: &str = "what parts share stands in the file of the whole";
 const CIRCLES: [(&str, &[&str], &str); 26] = [
     ("codegen/bounds/src", &["case.rs", "correction.rs", "count.rs", "equal.rs"], RECURSION),
     ("codegen/bounds/src/sign", &["facts.rs", "prove.rs"], RECURSION),
-    ("codegen/command/src", &["verify.rs", "verify/hunt.rs"], WHOLE),
+    ("codegen/command/src", &["verify.rs", "verify/search.rs"], WHOLE),
     ("codegen/command/src", &["worker.rs", "worker/attempt.rs"], WHOLE),
     (
         "codegen/errata/src",

@@ -8,7 +8,7 @@ use crate::real::Real;
 use crate::terms::Terms;
 
 impl<const L: usize> Real for Ball<'_, L> {
-    type Wide = Self;
+    type Extended = Self;
 
     fn literal(&self, value: f64) -> Self {
         Ball::new(value, self.settling)
@@ -62,31 +62,31 @@ impl<const L: usize> Real for Ball<'_, L> {
         self.times(other)
     }
 
-    fn wide_neg(wide: &Self) -> Self {
-        wide.negated()
+    fn extended_neg(extended: &Self) -> Self {
+        extended.negated()
     }
 
-    fn wide_add_exact(wide: &Self, exact: &Self) -> Self {
-        wide.plus(exact)
+    fn extended_add_exact(extended: &Self, exact: &Self) -> Self {
+        extended.plus(exact)
     }
 
-    fn wide_add(left: &Self, right: &Self) -> Self {
+    fn extended_add(left: &Self, right: &Self) -> Self {
         left.plus(right)
     }
 
-    fn wide_mul_exact(wide: &Self, exact: &Self) -> Self {
-        wide.times(exact)
+    fn extended_mul_exact(extended: &Self, exact: &Self) -> Self {
+        extended.times(exact)
     }
 
-    fn wide_mul(left: &Self, right: &Self) -> Self {
+    fn extended_mul(left: &Self, right: &Self) -> Self {
         left.times(right)
     }
 
-    fn compensated(wide: &Self, _: f64, _: &[&Self], _: Terms) -> Self {
-        wide.clone()
+    fn compensated(extended: &Self, _: f64, _: &[&Self], _: Terms) -> Self {
+        extended.clone()
     }
 
-    fn residual(wide: &Self) -> Self {
-        wide.clone()
+    fn residual(extended: &Self) -> Self {
+        extended.clone()
     }
 }

@@ -16,8 +16,8 @@ macro_rules! operations {
             $(#[doc = concat!("Calls of `", stringify!($field), "`.")] pub $field: u32,)*
             /// Additions and multiplications in double-double, inside `compensated!` and `residual!`.
             pub compensated: u32,
-            /// Slices, each rounded once at its end.
-            pub slices: u32,
+            /// Compensated expressions, each rounded once at its end.
+            pub compensated_expressions: u32,
             /// Roots of polynomials, found by iteration.
             pub root: u32,
         }
@@ -36,7 +36,8 @@ macro_rules! operations {
                 [$((Function::$function, self.$field)),*].into_iter()
             }
 
-            /// All counts but that of slices, whose operations count: the key, what one is called, and the number.
+            /// All counts but that of compensated expressions, whose operations count: the key, what one is called, and
+            /// the number.
             pub fn named(&self) -> impl Iterator<Item = (&'static str, &'static str, u32)> {
                 let Self { add, mul, div, compensated, root, .. } = *self;
                 let calls = self.calls().map(|(function, count)| (function.name(), function.properties().noun, count));

@@ -16,7 +16,7 @@ impl Soft {
 }
 
 impl Real for Soft {
-    type Wide = Soft;
+    type Extended = Soft;
 
     fn literal(&self, value: f64) -> Self {
         Soft::from_f64(value)
@@ -84,33 +84,33 @@ impl Real for Soft {
         self.times(*other)
     }
 
-    fn wide_neg(wide: &Self) -> Self {
-        wide.negated()
+    fn extended_neg(extended: &Self) -> Self {
+        extended.negated()
     }
 
-    fn wide_add_exact(wide: &Self, exact: &Self) -> Self {
-        wide.plus(*exact)
+    fn extended_add_exact(extended: &Self, exact: &Self) -> Self {
+        extended.plus(*exact)
     }
 
-    fn wide_add(left: &Self, right: &Self) -> Self {
+    fn extended_add(left: &Self, right: &Self) -> Self {
         left.plus(*right)
     }
 
-    fn wide_mul_exact(wide: &Self, exact: &Self) -> Self {
-        wide.times(*exact)
+    fn extended_mul_exact(extended: &Self, exact: &Self) -> Self {
+        extended.times(*exact)
     }
 
-    fn wide_mul(left: &Self, right: &Self) -> Self {
+    fn extended_mul(left: &Self, right: &Self) -> Self {
         left.times(*right)
     }
 
     /// Exact, but for the bits that are cut off; of operands the first 53 bits count, as in `f64`, with any exponent. Where
     /// terms lie too far apart to be summed exactly, right to 2^-120 of the largest.
-    fn compensated(wide: &Self, _: f64, operands: &[&Self], terms: Terms) -> Self {
-        exact::polynomial(operands, |operand| operand.operand(), terms).unwrap_or(*wide)
+    fn compensated(extended: &Self, _: f64, operands: &[&Self], terms: Terms) -> Self {
+        exact::polynomial(operands, |operand| operand.operand(), terms).unwrap_or(*extended)
     }
 
-    fn residual(wide: &Self) -> Self {
-        *wide
+    fn residual(extended: &Self) -> Self {
+        *extended
     }
 }

@@ -73,7 +73,7 @@ fn exponents_do_not_run_out() {
 }
 
 #[test]
-fn slices_of_numbers_beyond_f64_are_exact() {
+fn sums_of_numbers_beyond_f64_are_exact() {
     let number = |significand: u64, exponent| Soft::new(false, significand.into(), exponent, false);
     let one = |exponent| number(1, exponent);
     // `x*y - z*w`

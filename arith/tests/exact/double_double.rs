@@ -7,8 +7,8 @@ use rug::Float;
 
 const ROUNDS: usize = 20_000;
 
-fn exact_wide(wide: DoubleDouble) -> Float {
-    exact(wide.round()) + exact(wide.low())
+fn exact_sum(extended: DoubleDouble) -> Float {
+    exact(extended.round()) + exact(extended.low())
 }
 
 /// Pairs of plain numbers: powers of two and their neighbours, near-equal ones, and random ones.
@@ -26,7 +26,7 @@ fn pairs() -> Vec<(f64, f64)> {
     pairs
 }
 
-/// Pairs of wide numbers, whose low parts cancel too at times.
+/// Pairs of extended numbers, whose low parts cancel too at times.
 fn wide_pairs() -> Vec<(DoubleDouble, DoubleDouble)> {
     let mut random = Random::new(2);
     let mut wide_pairs = Vec::new();
@@ -43,7 +43,7 @@ fn wide_pairs() -> Vec<(DoubleDouble, DoubleDouble)> {
 /// That `computed` is within `bound` u^2 of `expected`, and normalised.
 fn assert_close(computed: DoubleDouble, expected: Float, bound: f64, what: &dyn Fn() -> String) {
     assert_eq!(computed.round() + computed.low(), computed.round(), "{} is not normalised", what());
-    let error = Float::with_val(crate::numbers::EXACT, &expected - exact_wide(computed)).abs();
+    let error = Float::with_val(crate::numbers::EXACT, &expected - exact_sum(computed)).abs();
     assert!(error <= expected.abs() * (bound * UNIT * UNIT), "{}: {computed:?}", what());
 }
 
@@ -56,34 +56,34 @@ fn product_is_safe(a: f64, b: f64) -> bool {
 #[test]
 fn two_sum_is_exact() {
     for (a, b) in pairs() {
-        assert_eq!(exact_wide(DoubleDouble::two_sum(a, b)), exact(a) + exact(b), "{a:e} + {b:e}");
+        assert_eq!(exact_sum(DoubleDouble::two_sum(a, b)), exact(a) + exact(b), "{a:e} + {b:e}");
     }
 }
 
 #[test]
 fn two_product_is_exact() {
     for (a, b) in pairs().into_iter().filter(|&(a, b)| product_is_safe(a, b)) {
-        assert_eq!(exact_wide(DoubleDouble::two_product(a, b)), exact(a) * exact(b), "{a:e} * {b:e}");
+        assert_eq!(exact_sum(DoubleDouble::two_product(a, b)), exact(a) * exact(b), "{a:e} * {b:e}");
     }
 }
 
 #[test]
 fn sums_keep_their_bounds() {
     for (a, b) in wide_pairs() {
-        assert_close(a + b, exact_wide(a) + exact_wide(b), theorem::SUM, &|| format!("{a:?} + {b:?}"));
-        assert_close(a - b, exact_wide(a) - exact_wide(b), theorem::SUM, &|| format!("{a:?} - {b:?}"));
+        assert_close(a + b, exact_sum(a) + exact_sum(b), theorem::SUM, &|| format!("{a:?} + {b:?}"));
+        assert_close(a - b, exact_sum(a) - exact_sum(b), theorem::SUM, &|| format!("{a:?} - {b:?}"));
         let plain = b.round();
-        assert_close(a + plain, exact_wide(a) + exact(plain), theorem::SUM_WITH_F64, &|| format!("{a:?} + {plain:?}"));
-        assert_close(a - plain, exact_wide(a) - exact(plain), theorem::SUM_WITH_F64, &|| format!("{a:?} - {plain:?}"));
+        assert_close(a + plain, exact_sum(a) + exact(plain), theorem::SUM_WITH_F64, &|| format!("{a:?} + {plain:?}"));
+        assert_close(a - plain, exact_sum(a) - exact(plain), theorem::SUM_WITH_F64, &|| format!("{a:?} - {plain:?}"));
     }
 }
 
 #[test]
 fn products_keep_their_bounds() {
     for (a, b) in wide_pairs().into_iter().filter(|(a, b)| product_is_safe(a.round(), b.round())) {
-        assert_close(a * b, exact_wide(a) * exact_wide(b), theorem::PRODUCT, &|| format!("{a:?} * {b:?}"));
+        assert_close(a * b, exact_sum(a) * exact_sum(b), theorem::PRODUCT, &|| format!("{a:?} * {b:?}"));
         let plain = b.round();
-        assert_close(a * plain, exact_wide(a) * exact(plain), theorem::PRODUCT_WITH_F64, &|| {
+        assert_close(a * plain, exact_sum(a) * exact(plain), theorem::PRODUCT_WITH_F64, &|| {
             format!("{a:?} * {plain:?}")
         });
     }
@@ -93,7 +93,7 @@ fn products_keep_their_bounds() {
 fn quotients_keep_their_bounds() {
     let safe = |x: f64| (2f64.powi(-430)..2f64.powi(430)).contains(&x.abs());
     for (a, b) in wide_pairs().into_iter().filter(|(a, b)| safe(a.round()) && safe(b.round())) {
-        let expected = Float::with_val(400, exact_wide(a) / exact_wide(b));
+        let expected = Float::with_val(400, exact_sum(a) / exact_sum(b));
         assert_close(a / b, expected, theorem::QUOTIENT, &|| format!("{a:?} / {b:?}"));
     }
 }
@@ -101,7 +101,7 @@ fn quotients_keep_their_bounds() {
 #[test]
 fn roots_keep_their_bounds() {
     for (a, _) in wide_pairs().into_iter().filter(|(a, _)| a.round() > 2f64.powi(-400)) {
-        assert_close(a.sqrt(), Float::with_val(400, exact_wide(a).sqrt()), theorem::ROOT, &|| format!("sqrt({a:?})"));
+        assert_close(a.sqrt(), Float::with_val(400, exact_sum(a).sqrt()), theorem::ROOT, &|| format!("sqrt({a:?})"));
     }
     assert_eq!(DoubleDouble::from(0.0).sqrt(), DoubleDouble::from(0.0));
     assert!(DoubleDouble::from(-1.0).sqrt().round().is_nan());
@@ -110,14 +110,16 @@ fn roots_keep_their_bounds() {
 #[test]
 fn negation_is_exact() {
     for (a, _) in wide_pairs() {
-        assert_eq!(exact_wide(-a), -exact_wide(a));
+        assert_eq!(exact_sum(-a), -exact_sum(a));
     }
 }
 
 #[test]
 fn overflow_never_panics() {
     let huge = DoubleDouble::from(f64::MAX);
-    for wide in [huge + huge, huge * huge, huge * 2.0, huge - f64::MIN, DoubleDouble::two_product(f64::MAX, f64::MAX)] {
-        assert!(!wide.round().is_finite());
+    for extended in
+        [huge + huge, huge * huge, huge * 2.0, huge - f64::MIN, DoubleDouble::two_product(f64::MAX, f64::MAX)]
+    {
+        assert!(!extended.round().is_finite());
     }
 }

@@ -131,45 +131,45 @@ impl<'k> Proof<'_, 'k> {
     }
 
     fn remainder_is_right(&self, coefficients: &[Polynomial]) -> Result<Cause, crate::Refusal> {
-        let (factor, slice) = self.slice(self.parts.remainder);
-        let inner = match slice {
-            Expr::Compensated(slice) => &*slice.value,
+        let (factor, expression) = self.compensated_expression(self.parts.remainder);
+        let inner = match expression {
+            Expr::Compensated(expression) => &*expression.value,
             Expr::Residual(inner) => &**inner,
             _ => return Ok(Some("the remainder is neither a `compensated!` nor a `residual!`")),
         };
         if let Some(operand) = self.rounded_leaf(inner)? {
-            let (slice, operand) = (text(slice), text(operand));
-            return self.counter.refuse(self.step, Reason::Rounded { slice, operand });
+            let (expression, operand) = (text(expression), text(operand));
+            return self.counter.refuse(self.step, Reason::Rounded { expression, operand });
         }
         let coefficients: Vec<Polynomial> = coefficients.iter().map(|c| c.scaled(&factor.recip())).collect();
-        let right = matches!(slice, Expr::Compensated(_)) || self.terms_are_few(&coefficients, inner);
+        let right = matches!(expression, Expr::Compensated(_)) || self.terms_are_few(&coefficients, inner);
         Ok((!right).then_some(
             "the terms of its `residual!` are not shown to be of the size of the polynomial's, so that they may cancel \
              beyond double-double: write `compensated!`",
         ))
     }
 
-    /// The slice in a remainder, and the literal that multiplies it.
-    fn slice(&self, remainder: &'k Expr) -> (BigRational, &'k Expr) {
+    /// The compensated expression in a remainder, and the literal that multiplies it.
+    fn compensated_expression(&self, remainder: &'k Expr) -> (BigRational, &'k Expr) {
         match self.counter.forms.resolved(remainder) {
             Expr::Neg(inner) => {
-                let (factor, slice) = self.slice(inner);
-                (-factor, slice)
+                let (factor, expression) = self.compensated_expression(inner);
+                (-factor, expression)
             }
             Expr::Binary { op: BinaryOp::Mul, left, right } => match &**left {
                 Expr::Literal { value, .. } if *value != 0.0 => {
-                    let (factor, slice) = self.slice(right);
-                    (factor * number(*value), slice)
+                    let (factor, expression) = self.compensated_expression(right);
+                    (factor * number(*value), expression)
                 }
                 _ => (BigRational::one(), remainder),
             },
-            slice => (BigRational::one(), slice),
+            expression => (BigRational::one(), expression),
         }
     }
 
-    /// A leaf of a slice that is neither exact nor the iterate.
-    fn rounded_leaf(&self, slice: &'k Expr) -> Result<Option<&'k Expr>, crate::Refusal> {
-        match slice {
+    /// A leaf of a compensated expression that is neither exact nor the iterate.
+    fn rounded_leaf(&self, expression: &'k Expr) -> Result<Option<&'k Expr>, crate::Refusal> {
+        match expression {
             Expr::Neg(inner) => self.rounded_leaf(inner),
             Expr::Binary { left, right, .. } => match self.rounded_leaf(left)? {
                 Some(leaf) => Ok(Some(leaf)),
@@ -180,27 +180,28 @@ impl<'k> Proof<'_, 'k> {
         }
     }
 
-    /// Whether the magnitudes of a slice's terms are bounded by those of its coefficients, whatever the signs of inputs.
-    fn terms_are_few(&self, coefficients: &[Polynomial], slice: &'k Expr) -> bool {
-        let operations = operations(slice);
+    /// Whether the magnitudes of a compensated expression's terms are bounded by those of its coefficients, whatever the
+    /// signs of inputs.
+    fn terms_are_few(&self, coefficients: &[Polynomial], expression: &'k Expr) -> bool {
+        let operations = operations(expression);
         let noise = trusted::double_double_operation() * integer(operations) * integer(2 * TERMS);
         if noise > integer(1 << 40) {
             return false;
         }
-        let form = self.counter.forms.of(slice);
+        let form = self.counter.forms.of(expression);
         let open = form.atoms().into_iter().filter(|atom| !self.case.facts.borrow().atom(*atom).is_definite());
         let cases = open.fold(vec![Vec::new()], |cases: Vec<Vec<Fact>>, atom| {
             let with =
                 |sign: Sign| cases.iter().map(move |facts| [&facts[..], &[(Polynomial::atom(atom), sign)]].concat());
             with(Sign::NONNEGATIVE).chain(with(Sign::NEGATIVE)).collect()
         });
-        self.case.split(&cases).iter().all(|case| self.terms_are_few_in(coefficients, slice, case))
+        self.case.split(&cases).iter().all(|case| self.terms_are_few_in(coefficients, expression, case))
     }
 
-    fn terms_are_few_in(&self, coefficients: &[Polynomial], slice: &'k Expr, case: &Case) -> bool {
+    fn terms_are_few_in(&self, coefficients: &[Polynomial], expression: &'k Expr, case: &Case) -> bool {
         let Some(unknown) = self.unknown() else { return false };
         case.facts.borrow_mut().set_atom(unknown, Sign::POSITIVE);
-        let terms = self.magnitudes(slice, case).coefficients(unknown);
+        let terms = self.magnitudes(expression, case).coefficients(unknown);
         terms.iter().zip(coefficients).all(|(terms, coefficient)| {
             let negative = self.counter.sign_of_form(coefficient, case).is(Sign::NONPOSITIVE);
             let size = if negative { coefficient.negated() } else { coefficient.clone() };
@@ -209,10 +210,10 @@ impl<'k> Proof<'_, 'k> {
         })
     }
 
-    /// The sum of the magnitudes of a slice's terms, before any of them cancel.
-    fn magnitudes(&self, slice: &'k Expr, case: &Case) -> Polynomial {
+    /// The sum of the magnitudes of a compensated expression's terms, before any of them cancel.
+    fn magnitudes(&self, expression: &'k Expr, case: &Case) -> Polynomial {
         let part = |inner| self.magnitudes(inner, case);
-        match slice {
+        match expression {
             Expr::Neg(inner) => part(inner),
             Expr::Binary { op: BinaryOp::Mul, left, right } => part(left).times(&part(right)),
             Expr::Binary { left, right, .. } => part(left).plus(&part(right)),
@@ -226,8 +227,8 @@ impl<'k> Proof<'_, 'k> {
     }
 }
 
-fn operations(slice: &Expr) -> i64 {
+fn operations(expression: &Expr) -> i64 {
     let mut count = 0;
-    slice.visit(&mut |part| count += i64::from(matches!(part, Expr::Binary { .. })));
+    expression.visit(&mut |part| count += i64::from(matches!(part, Expr::Binary { .. })));
     count
 }

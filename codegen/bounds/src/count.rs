@@ -1,4 +1,4 @@
-//! Counting roundings, each sum on condition that it does not cancel.
+//! Counts roundings. The count of a sum holds because its terms have one sign; where they may cancel there is no count.
 
 use crate::case::{CASES, Case, alternatives};
 use crate::correction;
@@ -54,7 +54,7 @@ impl<'k> Counter<'k> {
         }
     }
 
-    /// The count of what comes after the last step: of rounding to a double what is none.
+    /// The count of the last step: a value in double-double is rounded to `f64`.
     pub(crate) fn last_rounding(&self) -> BigRational {
         match self.kernel.meta.precision {
             Precision::Double => BigRational::zero(),
@@ -62,7 +62,7 @@ impl<'k> Counter<'k> {
         }
     }
 
-    fn slice(&self) -> BigRational {
+    fn compensated_expression(&self) -> BigRational {
         match self.kernel.meta.precision {
             Precision::Double => trusted::compensated(),
             Precision::DoubleDouble | Precision::Certified => trusted::compensated_in_double_double(),
@@ -73,7 +73,7 @@ impl<'k> Counter<'k> {
         Err(Refusal { kernel: self.kernel.name.to_string(), step: step.to_owned(), reason })
     }
 
-    /// The cases of the whole domain, and its comparisons that rounding may turn.
+    /// The cases of the whole domain, and the comparisons in it that rounding may decide wrongly.
     pub fn domain(&self) -> (Vec<Case>, Vec<Refusal>) {
         let mut cases = vec![Case::default()];
         let mut refusals = Vec::new();
@@ -98,8 +98,8 @@ impl<'k> Counter<'k> {
         case.split(&alternatives(condition, holds, &compare))
     }
 
-    /// The difference that a comparison compares with zero, if rounding cannot turn its result: both sides are exact, or
-    /// one is zero and the other one not off by all of its digits.
+    /// The difference whose sign decides a comparison, if rounding cannot change that sign. It cannot if both sides are
+    /// exact, or if one side is zero and some digits of the other one are right.
     fn decided(&self, condition: &'k Condition, case: &Case) -> Option<Polynomial> {
         let Condition::Compare { left, right, .. } = condition else { return None };
         let (a, b) = (self.count(left, case, "require").ok()?, self.count(right, case, "require").ok()?);
@@ -132,7 +132,7 @@ impl<'k> Counter<'k> {
             Expr::Binary { op, left, right } => self.count_product(*op, (left, right), case, step),
             Expr::If { condition, then, otherwise } => self.count_choice(condition, [then, otherwise], case, step),
             Expr::Extreme { items, .. } => self.count_worst(items, case, step),
-            Expr::Compensated(slice) => self.count_compensated(expr, &slice.operands, case, step),
+            Expr::Compensated(expression) => self.count_compensated(expr, &expression.operands, case, step),
             Expr::Residual(_) => self.refuse(step, Reason::Residual(text(expr))),
             Expr::PositiveRoot(coefficients) => {
                 let worst = self.count_worst(coefficients, case, step)?;
@@ -158,7 +158,8 @@ impl<'k> Counter<'k> {
         values.iter().try_fold(BigRational::zero(), |worst, value| Ok(worst.max(self.count(value, case, step)?)))
     }
 
-    /// The larger count of the sides, where rounding cannot turn the condition or the sides are the same function.
+    /// The larger count of the two sides. It holds if rounding cannot change what the condition says, or if both sides are
+    /// the same function, so that either may be taken.
     fn count_choice(&self, condition: &'k Condition, sides: [&'k Expr; 2], case: &Case, step: &str) -> Count {
         let [then, otherwise] = sides;
         let then_count = self.count_branch(self.cases(condition, true, case), then, step)?;
@@ -211,13 +212,13 @@ impl<'k> Counter<'k> {
         }
     }
 
-    fn count_compensated(&self, slice: &'k Expr, operands: &'k [Expr], case: &Case, step: &str) -> Count {
+    fn count_compensated(&self, expression: &'k Expr, operands: &'k [Expr], case: &Case, step: &str) -> Count {
         for operand in operands {
             if !self.count(operand, case, step)?.is_zero() {
-                return self.refuse(step, Reason::Rounded { slice: text(slice), operand: text(operand) });
+                return self.refuse(step, Reason::Rounded { expression: text(expression), operand: text(operand) });
             }
         }
-        Ok(self.slice())
+        Ok(self.compensated_expression())
     }
 
     /// The sign of an expression: from the signs of its parts as they are written, or from its form.
@@ -248,7 +249,7 @@ impl<'k> Counter<'k> {
                 self.learn_atoms(&product, case);
                 part(left).times(part(right)).and(self.search(&product, case, effort))
             }
-            Expr::Compensated(slice) => part(&slice.value),
+            Expr::Compensated(expression) => part(&expression.value),
             Expr::Name(name) => self.forms.step(name.slot).map_or(Sign::ANY, part),
             _ => Sign::ANY,
         }
@@ -292,7 +293,7 @@ impl<'k> Counter<'k> {
         form.atoms().into_iter().for_each(|atom| self.learn_atom(atom, case));
     }
 
-    /// Makes a case know the sign of an atom, from what it stands for.
+    /// Tells a case the sign of an atom, which follows from the expression that the atom stands for.
     fn learn_atom(&self, atom: Atom, case: &Case) {
         if !case.learnt.borrow_mut().insert(atom) {
             return;

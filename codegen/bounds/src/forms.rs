@@ -71,7 +71,7 @@ impl<'k> Forms<'k> {
             Expr::Binary { op: BinaryOp::Div, left, right } => self.quotient(&self.of(left), &self.of(right)),
             Expr::Binary { op, left, right } => self.joined(*op, &self.of(left), &self.of(right)),
             Expr::Call(function, inner) => self.atom(Meaning::Call(*function, (*self.of(inner)).clone())),
-            Expr::Compensated(slice) => (*self.of(&slice.value)).clone(),
+            Expr::Compensated(expression) => (*self.of(&expression.value)).clone(),
             Expr::Residual(inner) => (*self.of(inner)).clone(),
             Expr::If { then, otherwise, .. } => self.choice(expr, then, otherwise),
             Expr::Extreme { .. } | Expr::PositiveRoot(_) | Expr::Name(_) => self.atom(Meaning::Opaque(expr)),

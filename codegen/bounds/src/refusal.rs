@@ -25,10 +25,10 @@ pub enum Reason {
         /// What is known of its terms.
         signs: String,
     },
-    /// A slice with an operand that is not exact.
+    /// A compensated expression with an operand that is not exact.
     Rounded {
-        /// The slice.
-        slice: String,
+        /// The compensated expression.
+        expression: String,
         /// The operand.
         operand: String,
     },
@@ -112,7 +112,7 @@ impl Reason {
     pub(crate) fn quoted(&self) -> Option<&str> {
         match self {
             Self::MayCancel { sum: text, .. }
-            | Self::Rounded { slice: text, .. }
+            | Self::Rounded { expression: text, .. }
             | Self::Undefined { value: text, .. }
             | Self::Correction { correction: text, .. }
             | Self::Undecided(text)
@@ -140,9 +140,9 @@ impl fmt::Display for Reason {
                 "`{sum}` may cancel: its terms are rounded and not shown to have one sign ({signs}); write it as \
                  `compensated!`, or require the sign that it needs"
             ),
-            Self::Rounded { slice, operand } => write!(
+            Self::Rounded { expression, operand } => write!(
                 f,
-                "`{slice}` takes `{operand}` for exact, which is rounded; write it out in inputs and literals"
+                "`{expression}` takes `{operand}` for exact, which is rounded; write it out in inputs and literals"
             ),
             Self::Undecided(comparison) => write!(
                 f,

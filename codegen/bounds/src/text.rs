@@ -29,7 +29,7 @@ fn written(expr: &Expr, outer: u8) -> String {
         Expr::Name(name) => name.ident.to_string(),
         Expr::Pi(_) => "PI".to_owned(),
         Expr::Call(function, inner) => format!("{}({})", function.name(), written(inner, 0)),
-        Expr::Compensated(slice) => format!("compensated!({})", written(&slice.value, 0)),
+        Expr::Compensated(expression) => format!("compensated!({})", written(&expression.value, 0)),
         Expr::Residual(inner) => format!("residual!({})", written(inner, 0)),
         Expr::If { then, otherwise, .. } => {
             format!("if .. {{ {} }} else {{ {} }}", written(then, 0), written(otherwise, 0))

@@ -16,7 +16,7 @@ pub fn call(function: Function) -> BigRational {
     exact(function.properties().error)
 }
 
-/// The count of a `compensated!` slice of exact operands.
+/// The count of a `compensated!` expression of exact operands.
 #[must_use]
 pub fn compensated() -> BigRational {
     exact(error_model::COMPENSATED)
@@ -47,7 +47,7 @@ pub fn double_double_step() -> BigRational {
     exact(error_model::DOUBLE_DOUBLE_STEP)
 }
 
-/// The count of a `compensated!` slice of exact operands whose value stays in double-double.
+/// The count of a `compensated!` expression of exact operands whose value stays in double-double.
 #[must_use]
 pub fn compensated_in_double_double() -> BigRational {
     exact(error_model::COMPENSATED_IN_DOUBLE_DOUBLE)

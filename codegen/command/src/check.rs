@@ -8,7 +8,7 @@ mod error;
 mod fresh;
 mod live;
 
-use super::{kernel_table, verdicts};
+use super::{errata, kernel_table};
 use clap::Args as ClapArgs;
 use closedform_bounds::certified_bound_proof;
 use closedform_measure::catalogue::{Catalogue, Entry};
@@ -40,10 +40,10 @@ pub struct Args {
 pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     let options = options(args);
     if args.maxima {
-        verdicts::check_live(&project.worksheets, &options.maxima)?;
+        errata::check_live(&project.worksheets, &options.maxima)?;
         output::print(&live::check(project, &options)?)?;
     } else {
-        verdicts::check_list(&project.worksheets)?;
+        errata::check_list(&project.worksheets)?;
     }
     fresh::check(project)?;
     let catalogue = Catalogue::load(&project.generated())?;

@@ -1,6 +1,6 @@
 //! `closedform derive`: Maxima runs the worksheets; references, golden values and verdicts are written anew.
 
-use super::verdicts::Page;
+use super::errata::Page;
 use clap::Args as ClapArgs;
 use closedform_project::Project;
 use closedform_project::derive::{Options, derive};
@@ -10,7 +10,8 @@ use miette::bail;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// Run worksheets in Maxima and write their reference expressions and golden values, and the verdicts on the scans
+/// Run worksheets in Maxima and write their reference expressions and golden values, and the errata of the printed
+/// derivations
 #[derive(Debug, ClapArgs)]
 pub struct Args {
     /// The families; all of the folder if none is named

@@ -1,7 +1,7 @@
 //! The table of kernels on a page of the project: written by `generate`, compared by `check`.
 
 use closedform_measure::catalogue::{Catalogue, Entry};
-use closedform_measure::ledger::{Row, costs_of, naive_of, worst_of};
+use closedform_measure::ledger::{Row, as_written_of, costs_of, worst_of};
 use closedform_project::{Project, markdown};
 use closedform_system::scratch;
 use std::fmt::Write as _;
@@ -51,17 +51,17 @@ fn table(catalogue: &Catalogue, rows: &[Row]) -> String {
         "| kernel | what it computes | domain | bound, ulp | worst measured | formula, ulp | costs |\n|---|---|---|---|---|---|---|\n",
     );
     for entry in catalogue.entries() {
-        let (naive, plain, faithful) = costs_of(rows, entry);
-        let naive = naive.map_or_else(|| "-".to_owned(), |cost| cost.to_string());
+        let (as_written, default, faithful) = costs_of(rows, entry);
+        let as_written = as_written.map_or_else(|| "-".to_owned(), |cost| cost.to_string());
         let _ = writeln!(
             text,
-            "| `{}` | {} | {} | {} | {:.2} | {} | {naive} {plain} {faithful} |",
+            "| `{}` | {} | {} | {} | {:.2} | {} | {as_written} {default} {faithful} |",
             entry.full_name(),
             markdown::plain(entry.kernel.meta.summary.trim_end_matches('.')),
             domain(entry),
             bound(entry),
             worst_of(rows, &entry.full_name()),
-            naive_of(rows, &entry.full_name()).map_or_else(|| "-".to_owned(), short),
+            as_written_of(rows, &entry.full_name()).map_or_else(|| "-".to_owned(), short),
         );
     }
     text

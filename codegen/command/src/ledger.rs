@@ -42,7 +42,7 @@ fn text(rows: &[Row]) -> String {
         "as Maxima writes it",
         "cost",
         "faithful",
-        "naive",
+        "as written",
     ]);
     table.add_rows(rows.iter().map(|row| {
         [
@@ -50,10 +50,10 @@ fn text(rows: &[Row]) -> String {
             row.result.clone(),
             row.bound_ulp.clone(),
             row.worst_ulp.clone(),
-            row.naive_ulp.clone(),
-            row.plain_cost.to_string(),
+            row.as_written_ulp.clone(),
+            row.default_cost.to_string(),
             row.faithful_cost.to_string(),
-            row.naive_cost.map_or_else(String::new, |cost| cost.to_string()),
+            row.as_written_cost.map_or_else(String::new, |cost| cost.to_string()),
         ]
     }));
     format!("{table}\nerrors in ulp, costs in additions\n")

@@ -5,6 +5,7 @@ mod check;
 mod columns;
 mod derive;
 mod description;
+mod errata;
 mod eval;
 mod generate;
 mod kernel_table;
@@ -16,7 +17,6 @@ mod new;
 mod own_crate;
 mod program;
 mod show;
-mod verdicts;
 mod verify;
 mod worker;
 

@@ -1,7 +1,7 @@
 //! `closedform verify [KERNEL]`: kernels against their references, at points chosen where it hurts.
 
-mod hunt;
 mod report;
+mod search;
 
 use std::time::Duration;
 
@@ -11,8 +11,8 @@ use thiserror::Error;
 
 use closedform_measure::accuracy::{Measurement, Reference, ReferenceError, ValueError, measure};
 use closedform_measure::catalogue::{Catalogue, DomainError, Entry};
-use closedform_measure::hunt::{Budget, HuntError, parse_duration};
 use closedform_measure::kept::KeptInputs;
+use closedform_measure::search::{Budget, SearchError, parse_duration};
 use closedform_project::Project;
 use closedform_project::sample::{EmptyDomain, sample};
 use closedform_system::output;
@@ -30,9 +30,9 @@ pub struct Args {
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
     /// Climb towards the worst inputs for so long in all, such as 60s or 10min, instead of measuring points
-    #[arg(long, value_name = "TIME", value_parser = parse_duration, conflicts_with_all = ["steps", "points"])]
-    hunt: Option<Duration>,
-    /// Climb so many steps for each result: the same hunt for the same seed
+    #[arg(long, alias = "hunt", value_name = "TIME", value_parser = parse_duration, conflicts_with_all = ["steps", "points"])]
+    search: Option<Duration>,
+    /// Climb so many steps for each result: the same search for the same seed
     #[arg(long, value_name = "N", conflicts_with = "points")]
     steps: Option<u64>,
     /// Keep the worst inputs found among the records of the project, where every judge replays them
@@ -73,7 +73,7 @@ enum Cause {
     Reference(#[from] ReferenceError),
     Value(#[from] ValueError),
     Uncovered(#[from] Uncovered),
-    Hunt(#[from] HuntError),
+    Search(#[from] SearchError),
 }
 
 /// No point was measured.
@@ -95,7 +95,7 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     let (rows, unmeasured) = match plan(args)? {
         Some(plan) => {
             let bar = progress_bar(entries.len() as u64);
-            let found = hunt::hunted(&catalogue, &entries, plan, project, &bar)?;
+            let found = search::searched(&catalogue, &entries, plan, project, &bar)?;
             bar.finish_and_clear();
             found
         }
@@ -109,13 +109,16 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     conclude(&rows, unmeasured)
 }
 
-/// How to hunt, if that is asked for.
-fn plan(args: &Args) -> miette::Result<Option<hunt::Plan>> {
-    let budget = args.hunt.map(Budget::Time).or(args.steps.map(Budget::Steps));
+/// How to search, if that is asked for.
+fn plan(args: &Args) -> miette::Result<Option<search::Plan>> {
+    let budget = args.search.map(Budget::Time).or(args.steps.map(Budget::Steps));
     if args.keep && budget.is_none() {
-        bail!(help = "add --hunt 60s, or --steps 0 to measure again what is kept", "nothing to keep without a hunt");
+        bail!(
+            help = "add --search 60s, or --steps 0 to measure again what is kept",
+            "nothing to keep without a search"
+        );
     }
-    Ok(budget.map(|budget| hunt::Plan { budget, seed: args.seed, keep: args.keep }))
+    Ok(budget.map(|budget| search::Plan { budget, seed: args.seed, keep: args.keep }))
 }
 
 /// Measures kernels at the points kept of them and at samples of their domains.
@@ -179,7 +182,7 @@ mod tests {
     use closedform_measure::catalogue::fixture;
 
     fn arguments(points: u32, seed: u64) -> Args {
-        Args { kernel: None, points, seed, hunt: None, steps: None, keep: false, json: true }
+        Args { kernel: None, points, seed, search: None, steps: None, keep: false, json: true }
     }
 
     fn verified(kernel: &str) -> Vec<Row> {
@@ -212,20 +215,20 @@ mod tests {
     }
 
     #[test]
-    fn what_a_hunt_finds_is_kept_and_replayed() {
+    fn what_a_search_finds_is_kept_and_replayed() {
         let (folder, catalogue) = fixture::catalogue();
-        let hunted = |keep| Args { steps: Some(500), keep, ..arguments(1, 1) };
+        let searched = |keep| Args { steps: Some(500), keep, ..arguments(1, 1) };
         let project = Project::at(folder.path()).unwrap();
-        let error = run(&hunted(true), &project).unwrap_err();
+        let error = run(&searched(true), &project).unwrap_err();
         assert_eq!(error.to_string(), "1 result exceeds its bound");
         let kept = KeptInputs::load(&project.records).unwrap();
         let entry = catalogue.find("line::slope").unwrap();
         let measurement = measured(entry, &kept, &arguments(1, 1), &ProgressBar::hidden()).unwrap();
         assert!(measurement.worst[0].as_ref().is_some_and(|worst| worst.ulp > 1e3), "{measurement:?}");
-        let again = hunt::hunted(
+        let again = search::searched(
             &catalogue,
             &[entry],
-            plan(&hunted(false)).unwrap().unwrap(),
+            plan(&searched(false)).unwrap().unwrap(),
             &project,
             &ProgressBar::hidden(),
         );
@@ -235,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn keeping_needs_a_hunt() {
+    fn keeping_needs_a_search() {
         assert!(plan(&Args { keep: true, ..arguments(1, 1) }).is_err());
         assert!(plan(&arguments(1, 1)).unwrap().is_none());
     }

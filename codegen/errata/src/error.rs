@@ -25,7 +25,7 @@ pub enum VerdictError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Contract(#[from] ContractError),
-    /// The replay of a scan failed.
+    /// The replay of a derivation failed.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Process(#[from] ProcessError),
@@ -34,12 +34,12 @@ pub enum VerdictError {
     #[diagnostic(transparent)]
     Mistakes(#[from] Mistakes),
     /// Verdicts do not stand.
-    #[error("{} of the verdicts on the scans {} wrong", wrong(.0), if wrong(.0) == 1 { "is" } else { "are" })]
+    #[error("{} of the verdicts {} wrong", wrong(.0), if wrong(.0) == 1 { "is" } else { "are" })]
     #[diagnostic(help("correct the rows named below; the page of verdicts stays as it is until all are right"))]
     Wrong(#[related] Vec<Mistakes>),
     /// The order names other files than there are.
     #[error("{}: {complaint}", path.display())]
-    #[diagnostic(help("name every scan once, one a line, in the order of the page"))]
+    #[diagnostic(help("name every file once, one a line, in the order of the page"))]
     Order {
         /// The list.
         path: PathBuf,
@@ -79,7 +79,7 @@ fn count(mistakes: usize) -> String {
 /// One mistake, with its place.
 #[derive(Debug, Error, Diagnostic)]
 pub enum Mistake {
-    /// Not TOML, or not the keys of a scan.
+    /// Not TOML, or not the keys of a file of errata.
     #[error("{message}")]
     #[diagnostic(help("book/src/errata.md shows a row with every key it may have"))]
     Toml {

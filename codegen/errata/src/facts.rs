@@ -10,8 +10,8 @@ pub struct Facts {
     /// What the cell gives.
     pub live: FormFacts,
     /// The printed form.
-    pub scan: FormFacts,
-    /// The repaired form, or the one that the scan does not show.
+    pub printed: FormFacts,
+    /// The repaired form, or the one that the derivation does not show.
     pub reads: FormFacts,
     /// The right form.
     pub right: FormFacts,
@@ -102,7 +102,7 @@ impl Facts {
             _ => match (subject, words) {
                 ("live", ["bound"]) => self.bound = true,
                 ("live", _) => self.live.take(words, noise),
-                ("scan", _) => self.scan.take(words, noise),
+                ("printed", _) => self.printed.take(words, noise),
                 ("reads", _) => self.reads.take(words, noise),
                 ("right", _) => self.right.take(words, noise),
                 _ => (),
@@ -159,8 +159,8 @@ mod tests {
         let said = [
             "replayed",
             "0|live|bound",
-            "0|scan|same|entry|2|a|b",
-            "0|scan|at|values|=1.5b-3|complex|none|symbols x",
+            "0|printed|same|entry|2|a|b",
+            "0|printed|at|values|=1.5b-3|complex|none|symbols x",
             "0|proof 0|zero",
             "0|proof 1|left|x-1",
             "1|reads|same|entries|1|2",
@@ -170,9 +170,9 @@ mod tests {
         let message = |text: &&str| Message { text: (*text).to_owned(), noise: vec!["oh".to_owned()] };
         let facts = Facts::read(&said.iter().map(message).collect::<Vec<_>>(), 2);
         assert!(facts[0].bound && !facts[1].bound);
-        assert_eq!(facts[0].scan.same, Some(Comparison::Entry { entry: 2, left: "a|b".to_owned() }));
+        assert_eq!(facts[0].printed.same, Some(Comparison::Entry { entry: 2, left: "a|b".to_owned() }));
         let values = [Value::Number(1.5e-3), Value::NotReal, Value::Nothing, Value::Symbols("x".to_owned())];
-        assert_eq!(facts[0].scan.values.as_deref(), Some(&values[..]));
+        assert_eq!(facts[0].printed.values.as_deref(), Some(&values[..]));
         assert_eq!(facts[0].proof, [Left::Zero, Left::Term("x-1".to_owned())]);
         assert_eq!(facts[1].reads.same, Some(Comparison::Entries { found: 1, live: 2 }));
         assert_eq!(facts[1].shows[1].values, Some(vec![Value::Number(0.0)]));

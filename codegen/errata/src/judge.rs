@@ -12,7 +12,7 @@ use super::sheet::Row;
 /// What is to be said of a printed output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 pub enum Verdict {
-    /// The scan prints what the cell gives.
+    /// The derivation prints what the cell gives.
     #[serde(rename = "equal")]
     Equal,
     /// It does after the repair of an obvious slip.
@@ -21,7 +21,7 @@ pub enum Verdict {
     /// It does after more than that.
     #[serde(rename = "garbled")]
     Garbled,
-    /// The scan does not show it.
+    /// The derivation does not show it.
     #[serde(rename = "elided")]
     Elided,
     /// What the cell gives is not true.
@@ -61,7 +61,7 @@ enum Reading {
     Printed,
     /// By a repair, if it has values to compare.
     Misread(Option<Contrast>),
-    /// Not at all: the scan does not show it.
+    /// Not at all: the derivation does not show it.
     Elided,
 }
 
@@ -95,26 +95,28 @@ pub fn judge(row: &Row, facts: &Facts) -> Result<Judged, Problem> {
 fn found(reading: &Reading, error: bool) -> &'static str {
     match reading {
         _ if error => "`worksheet error`: it has `error`, `right` and `proof`, and they hold",
-        Reading::Printed => "`equal`: the scan prints what the cell gives, and nothing is said against it",
+        Reading::Printed => "`equal`: the derivation prints what the cell gives, and nothing is said against it",
         Reading::Misread(_) => "`repaired` or `garbled`: after the repair the text is what the cell gives",
-        Reading::Elided => "`elided`: there is no `scan`",
+        Reading::Elided => "`elided`: there is no `printed`",
     }
 }
 
 fn reading(row: &Row, facts: &Facts) -> Result<Reading, Problem> {
-    match (&row.scan, &row.repair, &row.reads) {
+    match (&row.printed, &row.repair, &row.reads) {
         (None, Some(_), _) => Err(Problem::Needless("repair", "nothing is printed that it could repair")),
         (Some(_), None, Some(_)) => Err(Problem::Needless("reads", "no `repair` says how the text becomes that")),
-        (None, None, None) => Err(Problem::Missing("reads", "a row without `scan` must write out what Maxima gives")),
+        (None, None, None) => {
+            Err(Problem::Missing("reads", "a row without `printed` must write out what Maxima gives"))
+        }
         (Some(_), Some(_), None) => Err(Problem::Missing("reads", "a repair leads to another text")),
         (None, None, Some(_)) => equal(Form::Reads, &facts.reads, &facts.live).map(|()| Reading::Elided),
-        (Some(scan), None, None) => match &scan.form {
+        (Some(printed), None, None) => match &printed.form {
             Err(error) => Err(Problem::Unparsable(error.clone())),
-            Ok(_) => equal(Form::Scan, &facts.scan, &facts.live).map(|()| Reading::Printed),
+            Ok(_) => equal(Form::Printed, &facts.printed, &facts.live).map(|()| Reading::Printed),
         },
-        (Some(scan), Some(_), Some(_)) => {
+        (Some(printed), Some(_), Some(_)) => {
             equal(Form::Reads, &facts.reads, &facts.live)?;
-            let contrast = if scan.form.is_ok() { Some(misread(row, facts)?) } else { None };
+            let contrast = if printed.form.is_ok() { Some(misread(row, facts)?) } else { None };
             Ok(Reading::Misread(contrast))
         }
     }
@@ -143,11 +145,11 @@ fn same_branch(form: Form, facts: &FormFacts, live: &FormFacts) -> Result<(), Pr
 
 /// Demands that a printed text that parses is worth something else than the repaired one.
 fn misread(row: &Row, facts: &Facts) -> Result<Contrast, Problem> {
-    if facts.scan.same == Some(Comparison::Equal) {
+    if facts.printed.same == Some(Comparison::Equal) {
         return Err(Problem::NothingToRepair);
     }
-    let (printed, repaired) = (values(row, Form::Scan, &facts.scan)?, values(row, Form::Reads, &facts.reads)?);
-    contrast(printed, repaired)?.ok_or(Problem::SameValue { printed: Form::Scan, other: Form::Reads })
+    let (printed, repaired) = (values(row, Form::Printed, &facts.printed)?, values(row, Form::Reads, &facts.reads)?);
+    contrast(printed, repaired)?.ok_or(Problem::SameValue { printed: Form::Printed, other: Form::Reads })
 }
 
 /// What a cell that is not true is worth, and what the right form is worth; `None` where the row claims no error.

@@ -1,4 +1,4 @@
-//! The verdict on the scans: every printed output of the seed against what its cell gives, judged by Maxima.
+//! Errata: every printed output of a derivation against what its cell gives, judged by Maxima.
 
 mod contrast;
 mod error;
@@ -22,49 +22,49 @@ pub use formula::{Formula, FormulaError};
 pub use judge::{Judged, Verdict, judge};
 pub use page::listed;
 pub use problem::{Form, Problem};
-pub use sheet::{Example, Row, Scan, Sheet, Shipment};
+pub use sheet::{Example, Printed, Row, Sheet, Shipment};
 
 use closedform_project::maxima_process::Maxima;
 use shipped::Shipped;
 
 /// The page in a folder of worksheets.
-pub const PAGE: &str = "VERDICTS.md";
+pub const PAGE: &str = "ERRATA.md";
 
-/// The folder of scans in a folder of worksheets.
-const SCANS: &str = "scan";
+/// The folder of errata in a folder of worksheets.
+const FOLDER: &str = "errata";
 
-/// The scans of a folder, read and checked.
+/// The errata of a folder, read and checked.
 #[derive(Debug, Clone)]
-pub struct Scans {
+pub struct Errata {
     /// In the order of the page.
     pub sheets: Vec<Sheet>,
     /// Where the page stands.
     pub page: PathBuf,
 }
 
-/// Whether a folder of worksheets has a scan of this name.
-pub fn has_scan(folder: &Path, name: &str) -> bool {
-    folder.join(SCANS).join(format!("{name}.toml")).is_file()
+/// Whether a folder of worksheets has errata of this name.
+pub fn has_errata(folder: &Path, name: &str) -> bool {
+    folder.join(FOLDER).join(format!("{name}.toml")).is_file()
 }
 
-impl Scans {
-    /// The scans of a folder of worksheets; `None` where it has none.
+impl Errata {
+    /// The errata of a folder of worksheets; `None` where it has none.
     ///
     /// # Errors
     ///
     /// When a file of theirs, or a contract, cannot be read.
     pub fn load(folder: &Path) -> Result<Option<Self>, VerdictError> {
-        let scans = folder.join(SCANS);
-        if !scans.is_dir() {
+        let errata = folder.join(FOLDER);
+        if !errata.is_dir() {
             return Ok(None);
         }
         let shipped = Shipped::load(folder)?;
-        let sheet = |name: &String| Sheet::load(&scans, name, &shipped);
-        let sheets = order::names(&scans)?.iter().map(sheet).collect::<Result<_, _>>()?;
+        let sheet = |name: &String| Sheet::load(&errata, name, &shipped);
+        let sheets = order::names(&errata)?.iter().map(sheet).collect::<Result<_, _>>()?;
         Ok(Some(Self { sheets, page: folder.join(PAGE) }))
     }
 
-    /// Asks Maxima, one run a scan, and compares every stated verdict; the text of the page.
+    /// Asks Maxima, one run a file, and compares every stated verdict; the text of the page.
     ///
     /// # Errors
     ///

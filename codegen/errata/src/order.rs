@@ -1,4 +1,4 @@
-//! The order of the scans on the page: `scan/ORDER`, a name a line.
+//! The order of the errata on the page: `errata/ORDER`, a name a line.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -10,13 +10,13 @@ use closedform_project::source;
 /// The list.
 const ORDER: &str = "ORDER";
 
-/// The names of the scans, in the order of the page.
-pub(super) fn names(scans: &Path) -> Result<Vec<String>, VerdictError> {
-    let path = scans.join(ORDER);
-    let text = source::read(&path, "write a list of the scans, one name a line, in the order of the page")?;
+/// The names of the errata, in the order of the page.
+pub(super) fn names(errata: &Path) -> Result<Vec<String>, VerdictError> {
+    let path = errata.join(ORDER);
+    let text = source::read(&path, "write a list of the errata, one name a line, in the order of the page")?;
     let lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
     let names: Vec<String> = lines.map(str::to_owned).collect();
-    match complaint(&names, &family_names(scans)?) {
+    match complaint(&names, &family_names(errata)?) {
         Some(complaint) => Err(VerdictError::Order { path, complaint }),
         None => Ok(names),
     }

@@ -18,7 +18,7 @@ pub enum Form {
     /// What the cell gives.
     Live,
     /// What is printed.
-    Scan,
+    Printed,
     /// What is meant.
     Reads,
     /// What is true.
@@ -33,7 +33,7 @@ impl fmt::Display for Form {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Live => f.write_str("`live`"),
-            Self::Scan => f.write_str("`scan`"),
+            Self::Printed => f.write_str("`printed`"),
             Self::Reads => f.write_str("`reads`"),
             Self::Right => f.write_str("`right`"),
             Self::Proof(number) => write!(f, "term {} of `proof`", number + 1),
@@ -54,7 +54,7 @@ pub enum Problem {
         found: &'static str,
     },
     /// The printed text does not parse, and no repair is named.
-    #[error("the scan does not parse, and no repair is named: {0}")]
+    #[error("what is printed does not parse, and no repair is named: {0}")]
     Unparsable(FormulaError),
     /// A form is not what the cell gives.
     #[error("{form} is not shown to be what the cell gives: the difference in entry {entry} is {}", short(left))]
@@ -83,7 +83,7 @@ pub enum Problem {
         form: Form,
     },
     /// A repair of what is right as it is.
-    #[error("a repair is named, but the scan as printed is what the cell gives")]
+    #[error("a repair is named, but the form as printed is what the cell gives")]
     NothingToRepair,
     /// Two forms that should differ do not.
     #[error("{printed} and {other} have the same value at the example")]
@@ -132,10 +132,10 @@ impl Problem {
         match self {
             Self::Stated { .. } => "state the verdict that is found, or give what the stated one needs",
             Self::Unparsable(_) => {
-                "correct the transcription; if the scan prints it so, name the `repair` and what it `reads`"
+                "correct the transcription; if the derivation prints it so, name the `repair` and what it `reads`"
             }
-            Self::Differs { form: Form::Scan, .. } | Self::Entries { form: Form::Scan, .. } => {
-                "correct the transcription; if the scan prints it so, name the `repair`, what it `reads`, and an `example`"
+            Self::Differs { form: Form::Printed, .. } | Self::Entries { form: Form::Printed, .. } => {
+                "correct the transcription; if the derivation prints it so, name the `repair`, what it `reads`, and an `example`"
             }
             Self::Differs { .. } | Self::Entries { .. } => {
                 "correct `reads`, or `live`; if they are equal only under a condition, assume it in the replay"
@@ -160,7 +160,7 @@ impl Problem {
         let place = match self {
             Self::Differs { form, .. } | Self::Entries { form, .. } | Self::Failed { form, .. } => place(*form, row),
             Self::OtherBranch { form } => place(*form, row),
-            Self::Unparsable(_) | Self::NothingToRepair => place(Form::Scan, row),
+            Self::Unparsable(_) | Self::NothingToRepair => place(Form::Printed, row),
             Self::SameValue { .. } | Self::NoNumber(_) | Self::Unstable => {
                 row.example.as_ref().map(|example| example.place.clone())
             }
@@ -174,7 +174,7 @@ impl Problem {
 
 fn place(form: Form, row: &Row) -> Option<Range<usize>> {
     let formula = match form {
-        Form::Scan => return row.scan.as_ref().map(|scan| scan.place.clone()),
+        Form::Printed => return row.printed.as_ref().map(|printed| printed.place.clone()),
         Form::Live => Some(&row.live),
         Form::Reads => row.reads.as_ref(),
         Form::Right => row.right.as_ref(),

@@ -1,4 +1,4 @@
-//! The question: Maxima statements that make a replayed scan tell the facts of all its rows in one run.
+//! The question: Maxima statements that make a replayed derivation tell the facts of all its rows in one run.
 
 use closedform_maxima::{Expr, print};
 
@@ -18,20 +18,21 @@ pub(super) fn driver(rows: &[Row]) -> String {
 }
 
 fn question(index: usize, row: &Row) -> String {
-    let scan = row.scan.as_ref().and_then(|scan| scan.form.as_ref().ok());
+    let printed = row.printed.as_ref().and_then(|printed| printed.form.as_ref().ok());
     let reads = row.reads.as_ref().map(|form| &form.expression);
     let right = row.right.as_ref().map(|form| &form.expression);
     let mut text = replayed(index, row);
-    for (key, form) in [("live", Some(&row.live.expression)), ("scan", scan), ("reads", reads), ("right", right)] {
+    for (key, form) in [("live", Some(&row.live.expression)), ("printed", printed), ("reads", reads), ("right", right)]
+    {
         text += &match form {
             Some(form) => format!("closedform_{key}: closedform_form(\"{index}|{key}\", errcatch({}))$\n", print(form)),
             None => format!("closedform_{key}: []$\n"),
         };
     }
-    for key in ["scan", "reads"] {
+    for key in ["printed", "reads"] {
         text += &format!("closedform_compare(\"{index}|{key}|same\", closedform_{key}, closedform_live)$\n");
     }
-    for key in ["live", "scan", "reads", "right"] {
+    for key in ["live", "printed", "reads", "right"] {
         text += &values(index, key, &format!("closedform_{key}"), row);
     }
     text + about_right(index, row).as_str()

@@ -1,4 +1,4 @@
-//! `scan/NAME.toml` as TOML spells it, before anything is checked.
+//! `errata/NAME.toml` as TOML spells it, before anything is checked.
 
 use serde::Deserialize;
 use toml::Spanned;
@@ -11,7 +11,8 @@ pub(super) type Text = Spanned<String>;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct File {
-    pub(super) scan: Heading,
+    #[serde(alias = "scan")]
+    pub(super) derivation: Heading,
     #[serde(default)]
     pub(super) output: Vec<Row>,
 }
@@ -28,7 +29,8 @@ pub(super) struct Heading {
 pub(super) struct Row {
     pub(super) cell: Text,
     pub(super) live: Text,
-    pub(super) scan: Option<Text>,
+    #[serde(alias = "scan")]
+    pub(super) printed: Option<Text>,
     pub(super) verdict: Spanned<Verdict>,
     pub(super) repair: Option<Text>,
     pub(super) reads: Option<Text>,

@@ -1,4 +1,4 @@
-//! One file of the scan, checked: its rows with every formula read and every kernel found.
+//! One file of errata, checked: its rows with every formula read and every kernel found.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -14,7 +14,7 @@ use super::row::{self, Text};
 use super::shipped::Shipped;
 use closedform_project::source;
 
-/// `scan/NAME.toml` with its neighbour `scan/NAME.mac`.
+/// `errata/NAME.toml` with its neighbour `errata/NAME.mac`.
 #[derive(Debug, Clone)]
 pub struct Sheet {
     /// `NAME`
@@ -27,9 +27,9 @@ pub struct Sheet {
     pub replay: PathBuf,
     /// What it is about.
     pub title: String,
-    /// Where it stands in the scans.
+    /// The derivation: its title, and the section.
     pub source: String,
-    /// The rows, in the order of the scan.
+    /// The rows, in the order of the derivation.
     pub rows: Vec<Row>,
 }
 
@@ -44,11 +44,11 @@ pub struct Row {
     pub place: Range<usize>,
     /// What the input cell gives, over the names of the replay.
     pub live: Formula,
-    /// What the scan prints.
-    pub scan: Option<Scan>,
-    /// Which slip of the scan is repaired, and how.
+    /// What the derivation prints.
+    pub printed: Option<Printed>,
+    /// Which slip of the print is repaired, and how.
     pub repair: Option<String>,
-    /// The text after the repair, or what the scan does not show.
+    /// The text after the repair, or what the derivation does not show.
     pub reads: Option<Formula>,
     /// Why the cell is not true.
     pub error: Option<String>,
@@ -64,9 +64,9 @@ pub struct Row {
     pub kernels: Vec<Shipment>,
 }
 
-/// What the scan prints.
+/// What the derivation prints.
 #[derive(Debug, Clone)]
-pub struct Scan {
+pub struct Printed {
     /// The transcription, on one line.
     pub text: String,
     /// What it says, if it says anything.
@@ -94,10 +94,10 @@ pub struct Shipment {
 }
 
 impl Sheet {
-    /// Reads `NAME.toml` in the folder of scans; all mistakes are reported at once.
+    /// Reads `NAME.toml` in the folder of errata; all mistakes are reported at once.
     pub(super) fn load(folder: &Path, name: &str, shipped: &Shipped) -> Result<Self, VerdictError> {
         let path = folder.join(format!("{name}.toml"));
-        let remedy = "write this file, or strike its name out of scan/ORDER";
+        let remedy = "write this file, or strike its name out of errata/ORDER";
         let text = source::read(&path, remedy)?;
         let sheet = read(&text, shipped).map_err(|mistakes| Mistakes::new(&path, &text, mistakes))?;
         let (heading, rows) = sheet;
@@ -111,7 +111,7 @@ fn read(text: &str, shipped: &Shipped) -> Result<(row::Heading, Vec<Row>), Vec<M
     let mut reader = Reader { text, shipped, mistakes: Vec::new() };
     reader.cells_differ(&file.output);
     let rows: Vec<Row> = file.output.into_iter().filter_map(|row| reader.row(row)).collect();
-    if reader.mistakes.is_empty() { Ok((file.scan, rows)) } else { Err(reader.mistakes) }
+    if reader.mistakes.is_empty() { Ok((file.derivation, rows)) } else { Err(reader.mistakes) }
 }
 
 struct Reader<'a> {
@@ -150,7 +150,7 @@ impl Reader<'_> {
             verdict: *row.verdict.get_ref(),
             place: row.verdict.span(),
             live: live?,
-            scan: row.scan.map(|text| scan(&text)),
+            printed: row.printed.map(|text| printed(&text)),
             repair: row.repair.map(Spanned::into_inner),
             reads: reads.flatten(),
             error: row.error.map(Spanned::into_inner),
@@ -207,7 +207,7 @@ impl Reader<'_> {
     }
 }
 
-fn scan(text: &Text) -> Scan {
+fn printed(text: &Text) -> Printed {
     let line = text.get_ref().split_whitespace().collect::<Vec<_>>().join(" ");
-    Scan { text: line, form: formula::form(text.get_ref()), place: text.span() }
+    Printed { text: line, form: formula::form(text.get_ref()), place: text.span() }
 }

@@ -1,4 +1,4 @@
-//! A scan with a real Maxima, right and doctored: a wrong verdict fails with its row, what was found, what to do.
+//! Errata with a real Maxima, right and doctored: a wrong verdict fails with its row, what was found, what to do.
 
 use std::fs;
 
@@ -24,14 +24,14 @@ unit = "s"
 "#;
 
 /// A row for every verdict, all right.
-const ROWS: &str = r#"[scan]
-title = "A scan"
+const ROWS: &str = r#"[derivation]
+title = "A derivation"
 source = "section 1"
 
 [[output]]
 cell = "1 %o1 t"
 live = "out1"
-scan = '''[t = (2*s)/(u+v), u < v]'''
+printed = '''[t = (2*s)/(u+v), u < v]'''
 verdict = "equal"
 example = "[s = 1/3, u = 1, v = 2]"
 
@@ -42,7 +42,7 @@ part = [1]
 [[output]]
 cell = "1 %o1, again"
 live = "out1[1]"
-scan = '''t = (2*s/(u+v)'''
+printed = '''t = (2*s/(u+v)'''
 verdict = "repaired"
 repair = "a parenthesis | is lost"
 reads = "t = 2*s/(u+v)"
@@ -50,7 +50,7 @@ reads = "t = 2*s/(u+v)"
 [[output]]
 cell = "1 %o1, once more"
 live = "out1[1]"
-scan = "t = 2*s/u+v"
+printed = "t = 2*s/u+v"
 verdict = "garbled"
 repair = "the parentheses of the denominator are lost"
 reads = "t = 2*s/(u+v)"
@@ -65,7 +65,7 @@ reads = "d^2+2*d*e+e^2"
 [[output]]
 cell = "1 %o3"
 live = "out3"
-scan = "[k = -sqrt(w), k = sqrt(w)]"
+printed = "[k = -sqrt(w), k = sqrt(w)]"
 verdict = "worksheet error"
 error = "The first root is negative."
 right = "[k = sqrt(w)]"
@@ -77,17 +77,17 @@ shows = ["rhs(live[1])", "rhs(right[1])"]
 /// A folder with these rows.
 fn folder(rows: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    let scans = folder.path().join(SCANS);
-    fs::create_dir(&scans).unwrap();
+    let errata = folder.path().join(FOLDER);
+    fs::create_dir(&errata).unwrap();
     fs::write(folder.path().join("family.toml"), CONTRACT).unwrap();
     let files = [("ORDER", "# the order\none\n"), ("one.mac", REPLAY), ("one.toml", rows)];
-    files.iter().for_each(|(name, text)| fs::write(scans.join(name), text).unwrap());
+    files.iter().for_each(|(name, text)| fs::write(errata.join(name), text).unwrap());
     folder
 }
 
 fn judged(rows: &str) -> Result<String, VerdictError> {
     let folder = folder(rows);
-    Scans::load(folder.path())?.unwrap().judge(&Maxima::default())
+    Errata::load(folder.path())?.unwrap().judge(&Maxima::default())
 }
 
 /// The page is refused with all of these words.
@@ -110,7 +110,7 @@ fn a_right_scan_becomes_a_page() {
     for line in [
         "| worksheet error | 1 | what the cell gives is not true; the right form is proved |",
         "| | 5 | |",
-        "### 1. 1 %o3 ([one](scan/one.toml))",
+        "### 1. 1 %o3 ([one](errata/one.toml))",
         "- right: `[k=sqrt(w)]`",
         "- at: `w = 4`: **-2**, right **2** (off by 200 %)",
         "| 1 %o1 t | equal |  | 0.222222222222, 2 at `s = 1/3, u = 1, v = 2` \
@@ -122,13 +122,13 @@ fn a_right_scan_becomes_a_page() {
         assert!(page.lines().any(|found| found == line), "`{line}` is not in\n{page}");
     }
     let folder = folder(ROWS);
-    assert_eq!(listed(&page), Scans::load(folder.path()).unwrap().unwrap().stated());
+    assert_eq!(listed(&page), Errata::load(folder.path()).unwrap().unwrap().stated());
 }
 
 #[test]
 fn a_folder_without_scans_has_no_page() {
     let folder = tempfile::tempdir().unwrap();
-    assert!(Scans::load(folder.path()).unwrap().is_none());
+    assert!(Errata::load(folder.path()).unwrap().is_none());
 }
 
 #[test]
@@ -136,10 +136,16 @@ fn what_is_not_equal_is_not_called_equal() {
     doctored(
         "(2*s)/(u+v), u < v",
         "(2*s)/(u-v), u < v",
-        &["1 of the verdicts", "one.toml has a mistake", "1 %o1 t: `scan` is not shown", "entry 1 is", "one.toml:8:8"],
+        &[
+            "1 of the verdicts",
+            "one.toml has a mistake",
+            "1 %o1 t: `printed` is not shown",
+            "entry 1 is",
+            "one.toml:8:8",
+        ],
     );
     doctored("u < v]'''", "u > v]'''", &["entry 2 is `>` instead of `<`", "correct the transcription"]);
-    doctored("u < v]'''", "u < v, 0]'''", &["`scan` has 3 entries, but the cell gives 2"]);
+    doctored("u < v]'''", "u < v, 0]'''", &["`printed` has 3 entries, but the cell gives 2"]);
     doctored("\"equal\"", "\"repaired\"", &["1 %o1 t: the verdict is stated as `repaired`, but the facts say `equal`"]);
     doctored("\"elided\"", "\"equal\"", &["1 %o2: the verdict is stated as `equal`, but the facts say `elided`"]);
     doctored("\"worksheet error\"", "\"equal\"", &["stated as `equal`, but the facts say `worksheet error`"]);
@@ -150,7 +156,7 @@ fn what_does_not_parse_never_reaches_maxima() {
     doctored(
         "(2*s)/(u+v), u < v]",
         "(2*s)/(u+v, u < v]",
-        &["1 %o1 t: the scan does not parse, and no repair is named", "name the `repair`"],
+        &["1 %o1 t: what is printed does not parse, and no repair is named", "name the `repair`"],
     );
     doctored("live = \"out2\"", "live = \"out2$ quit()\"", &["1 %o2: expected an operator or the end", "one.toml:35:"]);
     doctored("[w = 4]", "[w = 0.5]", &["1 %o3: an example is a list", "write e.g. [tIn = 1/50"]);
@@ -169,7 +175,7 @@ fn a_wrong_proof_says_what_is_left() {
 #[test]
 fn an_example_must_differ() {
     doctored("rhs(live[1])", "rhs(live[2])", &["1 %o3: form 1 of `shows` and form 2 of `shows` have the same value"]);
-    doctored("u = 1, v = 1", "u = 1, v = 0", &["once more: `scan` and `reads` have the same value", "choose an"]);
+    doctored("u = 1, v = 1", "u = 1, v = 0", &["once more: `printed` and `reads` have the same value", "choose an"]);
     doctored("[s = 1, u = 1, v = 1]", "[s = 1, u = 1]", &["once more: the example leaves no number, but"]);
     doctored("example = \"[w = 4]\"", "", &["1 %o3: `example` is missing: only an example shows"]);
 }
@@ -178,16 +184,16 @@ fn an_example_must_differ() {
 fn the_branch_of_a_root_is_seen_at_the_example() {
     let row = "live = \"out4\"\nscan = \"d-1\"\nverdict = \"equal\"\nexample = \"[d = 1/2]\"\n";
     let rows = format!("{ROWS}\n[[output]]\ncell = \"1 %o4\"\n{row}");
-    fails(&rows, &["1 %o4: `scan` and `live` agree", "but not at the example", "another branch"]);
+    fails(&rows, &["1 %o4: `printed` and `live` agree", "but not at the example", "another branch"]);
     doctored("lhs(right[1]) - k", "sqrt(w^2-10*w+25) - (w-5)", &["term 2 of the proof is not 0: 2.0b0 at the example"]);
 }
 
 #[test]
 fn repairs_must_be_needed_and_right() {
     doctored("reads = \"t = 2*s/(u+v)\"", "reads = \"t = s/(u+v)\"", &["again: `reads` is not shown to be"]);
-    doctored("'''t = (2*s/(u+v)'''", "'t = 2*s/(u+v)'", &["again: a repair is named, but the scan as printed is"]);
+    doctored("'''t = (2*s/(u+v)'''", "'t = 2*s/(u+v)'", &["again: a repair is named, but the form as printed is"]);
     doctored("repair = \"a p", "# \"a p", &["again: `reads` has no place in this row: no `repair` says"]);
-    doctored("reads = \"d^2+2*d*e+e^2\"", "", &["1 %o2: `reads` is missing: a row without `scan`"]);
+    doctored("reads = \"d^2+2*d*e+e^2\"", "", &["1 %o2: `reads` is missing: a row without `printed`"]);
 }
 
 #[test]
@@ -199,7 +205,7 @@ fn the_live_form_comes_from_the_replay() {
 #[test]
 fn one_bad_row_loses_no_other() {
     let rows = ROWS.replacen("2*s)/(u+v), u", "2*s)/0, u", 1).replacen("[1])^2 - w", "[1])^2 - 2*w", 1);
-    fails(&rows, &["2 of the verdicts", "2 mistakes", "1 %o1 t: Maxima cannot work out `scan`", "-w is left"]);
+    fails(&rows, &["2 of the verdicts", "2 mistakes", "1 %o1 t: Maxima cannot work out `printed`", "-w is left"]);
 }
 
 #[test]
@@ -215,7 +221,7 @@ fn files_must_be_complete() {
     doctored("cell = \"1 %o2\"", "cell = \"1 %o3\"", &["two rows are called `1 %o3`", "first here", "again here"]);
     doctored("verdict = \"elided\"", "verdict = \"lost\"", &["unknown variant `lost`"]);
     let folder = folder(ROWS);
-    fs::write(folder.path().join("scan/two.toml"), "").unwrap();
-    let error = Scans::load(folder.path()).unwrap_err().to_string();
+    fs::write(folder.path().join("errata/two.toml"), "").unwrap();
+    let error = Errata::load(folder.path()).unwrap_err().to_string();
     assert!(error.contains("`two` is not listed, but two.toml is there"), "{error}");
 }

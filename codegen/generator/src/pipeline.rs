@@ -202,7 +202,8 @@ fn as_written(family: &Family, kernel: &KernelContract, because: String) -> Resu
     }
 }
 
-/// Why the text of a kernel does not read back, if it does not: the kernel language has limits, for slices above all.
+/// Why the text of a kernel does not read back, if it does not: the kernel language has limits, for compensated
+/// expressions above all.
 fn beyond_the_language(family: &Family, kernel: &KernelText) -> Option<String> {
     let cause = closedform_syntax::parse_file(&module_text(family, std::slice::from_ref(kernel))).err()?;
     Some(format!("its stable form is beyond the kernel language: {cause}"))
@@ -292,7 +293,7 @@ fn made(family: &Family, kernel: &KernelText) -> Made {
     Made {
         kernel: format!("{}::{}", family.name, kernel.name),
         rules: kernel.rules.iter().map(|rule| rule.name.to_owned()).collect(),
-        operations: [cost.additions, cost.multiplications, cost.divisions, cost.roots, cost.wide],
+        operations: [cost.additions, cost.multiplications, cost.divisions, cost.roots, cost.double_double],
         bound: kernel.results.iter().map(|result| result.bound).fold(0.0, f64::max),
         certified_because: kernel.certified_because.clone(),
         added: if family.paths.contract.exists() { added(family, kernel) } else { Vec::new() },

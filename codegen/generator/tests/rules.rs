@@ -60,9 +60,9 @@ const USED: [Case; 31] = [
     with(FEW, case("double-double", POSITIVE, &["a*b/sqrt(?*a+b*c)"])),
     case("factored", "a # b", &["(a^3-3*b*a^2+3*b^2*a-b^3)/(a-b)"]),
     case("factored", "a > 0", &["?*a*b+?*a*c"]),
-    case("falling-newton", POSITIVE, &["positive_root(x^3+?*a*x-b,x)"]),
-    case("falling-newton", POSITIVE, &["positive_root(c*x^4+?*a*x^2-b*x-d,x)"]),
-    case("gathered", POSITIVE, &["(?*a+b)*(b+c)*(c+d)/((a+c)*(b+d))"]),
+    case("monotone-newton", POSITIVE, &["positive_root(x^3+?*a*x-b,x)"]),
+    case("monotone-newton", POSITIVE, &["positive_root(c*x^4+?*a*x^2-b*x-d,x)"]),
+    case("fused", POSITIVE, &["(?*a+b)*(b+c)*(c+d)/((a+c)*(b+d))"]),
     case("known-sum", "b > 0;a+b > 0", &["2*a+(2*?+3)*b"]),
     case("merge-cubes", "b # 0", &["(?*a*c^2/(4*%pi^2*b))^(1/3)"]),
     case("merge-cubes", "a # 0", &["?*(a*b)^(1/3)/a"]),
@@ -105,7 +105,7 @@ const REFUSED: [Case; 31] = [
     case("double-double", POSITIVE, &["a*b/sqrt(?*a+b*c)"]),
     case("factored", POSITIVE, &["a^2+?*b"]),
     // no contract asks for few roundings, and they are few
-    case("gathered", POSITIVE, &["?*a+b*c"]),
+    case("fused", POSITIVE, &["?*a+b*c"]),
     // the domain does not give the sign of the sum
     case("known-sum", "b > 0;a-b > 0", &["?*a+7*b"]),
     case("known-sum", "b > 0", &["?*a+7*b"]),
@@ -296,7 +296,7 @@ fn rules_are_used_where_their_conditions_hold() {
 fn rules_are_refused_where_their_conditions_do_not_hold() {
     let complaints = complaints(&REFUSED, false);
     assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
-    let named: BTreeSet<&str> = REFUSED.iter().map(|case| case.rule).chain(["falling-newton"]).collect();
+    let named: BTreeSet<&str> = REFUSED.iter().map(|case| case.rule).chain(["monotone-newton"]).collect();
     assert_eq!(named, ALL.iter().map(|rule| rule.name).collect(), "every rule has a counterexample");
 }
 
@@ -312,7 +312,7 @@ fn a_root_that_is_not_the_only_one_is_refused() {
     ] {
         let formula = Box::leak(format!("positive_root({polynomial},x)").into_boxed_str());
         let formulas: &'static [&'static str] = Box::leak(Box::new([&*formula]));
-        let family = case("falling-newton", domain, formulas).family(2);
+        let family = case("monotone-newton", domain, formulas).family(2);
         let contract = family.completed(&family.contract.kernels[0]);
         let made = make(ALGEBRA, &family.contract, &contract, &references(&family));
         let turned = polynomial == "b-a*x";

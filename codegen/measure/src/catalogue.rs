@@ -5,7 +5,7 @@ mod error;
 #[cfg(any(test, feature = "fixtures"))]
 pub mod fixture;
 mod nearest;
-mod slice;
+mod source;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! What hunts keep of the worst inputs: which ones, and of which kernels.
+//! What searches keep of the worst inputs: which ones, and of which kernels.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -70,7 +70,7 @@ impl KeptInputs {
 
 fn header(family: &str) -> String {
     format!(
-        "# worst inputs of `{family}`, written by `closedform verify --hunt 60s --keep`; do not edit\n\
+        "# worst inputs of `{family}`, written by `closedform verify --search 60s --keep`; do not edit\n\
          # kernel, result, error in ulp, inputs\n"
     )
 }

@@ -37,14 +37,14 @@ pub struct Row {
     pub result: String,
     /// The rules of the kernel's program.
     pub rules: String,
-    /// Operations that round, slices and iterations as one each.
+    /// Operations that round, compensated expressions and iterations as one each.
     pub roundings: u32,
     /// Divisions among them.
     pub divisions: u32,
     /// Roots of numbers among them.
     pub roots: u32,
     /// Operations in double-double.
-    pub wide: u32,
+    pub double_double: u32,
     /// The error in ulp that is proved never to be exceeded.
     pub bound_ulp: String,
     /// The worst error in ulp at the kept worst inputs and the sample.
@@ -52,13 +52,13 @@ pub struct Row {
     /// Where.
     pub worst_inputs: String,
     /// The worst error in ulp of the formula as Maxima writes it, at the sample; empty where it has no such form.
-    pub naive_ulp: String,
-    /// The cost of the plain call.
-    pub plain_cost: u32,
+    pub as_written_ulp: String,
+    /// The cost of the default call.
+    pub default_cost: u32,
     /// That of the faithful one.
     pub faithful_cost: u32,
     /// That of the formula as Maxima writes it; empty where it has no such form.
-    pub naive_cost: Option<u32>,
+    pub as_written_cost: Option<u32>,
     /// The worst error as a number.
     #[serde(skip)]
     pub worst: f64,
@@ -67,7 +67,7 @@ pub struct Row {
     pub bound: f64,
     /// The worst error of the formula as Maxima writes it, as a number.
     #[serde(skip)]
-    pub naive: Option<f64>,
+    pub as_written: Option<f64>,
 }
 
 /// Why there is no ledger.
@@ -106,16 +106,16 @@ pub fn worst_of(rows: &[Row], kernel: &str) -> f64 {
 }
 
 /// The worst error of the formulas of a kernel as Maxima writes them; `None` where one has no such form.
-pub fn naive_of(rows: &[Row], kernel: &str) -> Option<f64> {
-    rows.iter().filter(|row| row.kernel == kernel).try_fold(0.0, |worst: f64, row| Some(worst.max(row.naive?)))
+pub fn as_written_of(rows: &[Row], kernel: &str) -> Option<f64> {
+    rows.iter().filter(|row| row.kernel == kernel).try_fold(0.0, |worst: f64, row| Some(worst.max(row.as_written?)))
 }
 
-/// What all results of a kernel cost, in additions: as Maxima writes them, if it has such a form, by the plain call, and
+/// What all results of a kernel cost, in additions: as Maxima writes them, if it has such a form, by the default call, and
 /// by the faithful one.
 pub fn costs_of(rows: &[Row], entry: &Entry) -> (Option<u32>, u32, u32) {
     let (name, count) = (entry.full_name(), operations(&entry.kernel));
-    let naive = rows.iter().filter(|row| row.kernel == name).map(|row| row.naive_cost).sum();
-    (naive, cost::plain(&count, entry.kernel.meta.precision), cost::faithful(&count))
+    let as_written = rows.iter().filter(|row| row.kernel == name).map(|row| row.as_written_cost).sum();
+    (as_written, cost::default(&count, entry.kernel.meta.precision), cost::faithful(&count))
 }
 
 /// The ledger as it should be, and as it is.
@@ -181,7 +181,7 @@ struct Measured {
     worst: f64,
     inputs: Vec<f64>,
     /// Of the formula as it is written, where it has a value in doubles.
-    naive: Option<f64>,
+    as_written: Option<f64>,
 }
 
 fn rows_of(entry: &Entry, kept: &KeptInputs, points: u32) -> Result<Vec<Row>, LedgerError> {
@@ -204,17 +204,17 @@ fn row(entry: &Entry, position: usize, formula: &Expr, measured: &Measured) -> R
         roundings: roundings(&count, precision),
         divisions: count.div,
         roots: calls(&count),
-        wide: count.compensated,
+        double_double: count.compensated,
         bound_ulp: result.bound.map_or_else(String::new, |bound| bound.to_string()),
         worst_ulp: ulp_text(measured.worst),
         worst_inputs: inputs.join(" "),
-        naive_ulp: measured.naive.map_or_else(String::new, ulp_text),
-        plain_cost: cost::plain(&count, precision),
+        as_written_ulp: measured.as_written.map_or_else(String::new, ulp_text),
+        default_cost: cost::default(&count, precision),
         faithful_cost: cost::faithful(&count),
-        naive_cost: cost::naive(formula),
+        as_written_cost: cost::as_written(formula),
         worst: measured.worst,
         bound: result.bound.unwrap_or(f64::INFINITY),
-        naive: measured.naive,
+        as_written: measured.as_written,
     }
 }
 
@@ -226,7 +226,9 @@ fn calls(count: &Operations) -> u32 {
 /// In double-double, and certified, only the result is rounded.
 fn roundings(count: &Operations, precision: Precision) -> u32 {
     match precision {
-        Precision::Double => count.add + count.mul + count.div + calls(count) + count.slices + count.root,
+        Precision::Double => {
+            count.add + count.mul + count.div + calls(count) + count.compensated_expressions + count.root
+        }
         Precision::DoubleDouble | Precision::Certified => 1,
     }
 }
@@ -256,8 +258,8 @@ fn measured(
         for (result, formula) in reference.bodies().enumerate() {
             measured[result].include(ulp_error(got[result], &expected[result]), &point);
             if is_sampled {
-                let naive = evaluate_double(formula, domain.variables(), &point);
-                measured[result].include_naive(naive.map(|value| ulp_error(value, &expected[result])));
+                let as_written = evaluate_double(formula, domain.variables(), &point);
+                measured[result].include_as_written(as_written.map(|value| ulp_error(value, &expected[result])));
             }
         }
     }
@@ -271,8 +273,8 @@ impl Measured {
         }
     }
 
-    fn include_naive(&mut self, ulp: Option<f64>) {
-        self.naive = self.naive.into_iter().chain(ulp).reduce(f64::max);
+    fn include_as_written(&mut self, ulp: Option<f64>) {
+        self.as_written = self.as_written.into_iter().chain(ulp).reduce(f64::max);
     }
 }
 
@@ -288,9 +290,9 @@ mod tests {
         let names: Vec<String> = rows.iter().map(|row| format!("{}.{}", row.kernel, row.result)).collect();
         assert_eq!(names, ["line::root.root", "line::slope.slope", "plane::slope.c", "plane::slope.d"]);
         let root = &rows[0];
-        assert_eq!((root.roundings, root.divisions, root.roots, root.wide), (5, 1, 1, 0));
-        assert_eq!((root.plain_cost, root.naive_cost), (21, Some(13)));
-        assert!(root.worst < 3.5 && root.naive_ulp.parse::<f64>().unwrap() > 1e3, "{root:?}");
+        assert_eq!((root.roundings, root.divisions, root.roots, root.double_double), (5, 1, 1, 0));
+        assert_eq!((root.default_cost, root.as_written_cost), (21, Some(13)));
+        assert!(root.worst < 3.5 && root.as_written_ulp.parse::<f64>().unwrap() > 1e3, "{root:?}");
         assert_eq!(worst_of(&rows, "plane::slope"), rows[2].worst.max(rows[3].worst));
     }
 

@@ -2,6 +2,6 @@
 
 pub mod accuracy;
 pub mod catalogue;
-pub mod hunt;
 pub mod kept;
 pub mod ledger;
+pub mod search;

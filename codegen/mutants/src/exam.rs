@@ -44,7 +44,7 @@ pub struct Lists {
     pub equivalents: Equivalents,
     /// Points at which to look.
     pub known: Known,
-    /// The worst inputs that hunts found.
+    /// The worst inputs that searches found.
     pub kept: KeptInputs,
 }
 

@@ -9,7 +9,7 @@ use rug::Rational;
 const MAX_TERMS: usize = 4096;
 
 /// Whether kernel and mutant promise the same and compute the same function: equal as polynomials in inputs, and in
-/// roots, slices and reciprocals of what is equal as such.
+/// roots, compensated expressions and reciprocals of what is equal as such.
 pub fn same_function(kernel: &Kernel, mutant: &Kernel) -> bool {
     let forms = Forms::of(kernel);
     forms.is_some() && forms == Forms::of(mutant)
@@ -137,7 +137,7 @@ impl Slots {
                 Expr::Literal { value, .. } if value == 0.0 || value == 1.0 => self.canonical(inner),
                 _ => self.called(function.name(), inner, function.is_odd(), function.is_even()),
             },
-            Expr::Compensated(slice) => self.called("compensated", &slice.value, true, false),
+            Expr::Compensated(expression) => self.called("compensated", &expression.value, true, false),
             Expr::Residual(inner) => self.called("residual", inner, true, false),
             Expr::If { condition, then, otherwise } => {
                 let parts = [self.condition(condition)?, self.text(then)?, self.text(otherwise)?];

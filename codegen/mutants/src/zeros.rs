@@ -1,4 +1,4 @@
-//! Where a sum, a slice or a difference of compared sides vanishes: found by the kernel's own arithmetic.
+//! Where a sum, a compensated expression or a difference of compared sides vanishes: found by the kernel's own arithmetic.
 
 use std::collections::HashSet;
 
@@ -19,7 +19,7 @@ pub struct Probe {
 }
 
 impl Probe {
-    /// Every sum, slice and comparison of a kernel, each once.
+    /// Every sum, compensated expression and comparison of a kernel, each once.
     pub fn all(kernel: &Kernel) -> Vec<Probe> {
         let mut seen = HashSet::new();
         let mut probes = Vec::new();
@@ -101,8 +101,8 @@ impl Probe {
     }
 }
 
-/// Of every comparison inside, the difference of its sides; of every sum and slice the value; of every extreme the
-/// differences of neighbours.
+/// Of every comparison inside, the difference of its sides; of every sum and compensated expression the value; of every
+/// extreme the differences of neighbours.
 fn of_condition(condition: &Condition, found: &mut Vec<Expr>) {
     for comparison in condition.comparisons() {
         if let [left, right] = comparison.sides()[..] {

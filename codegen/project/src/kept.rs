@@ -1,4 +1,4 @@
-//! Kept worst inputs, `worst/FAMILY.tsv` among the records: what hunts found, to be judged before anything else.
+//! Kept worst inputs, `worst/FAMILY.tsv` among the records: what searches found, to be judged before anything else.
 
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -39,7 +39,7 @@ pub enum KeptError {
     },
     /// A line is none.
     #[error("this is no line of kept inputs: kernel, result, ulp and name=0x1.8p-3 .., separated by tabs")]
-    #[diagnostic(help("delete it and run `closedform verify --hunt 60s --keep`, which writes this file"))]
+    #[diagnostic(help("delete it and run `closedform verify --search 60s --keep`, which writes this file"))]
     Line {
         /// The file.
         #[source_code]

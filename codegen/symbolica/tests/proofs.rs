@@ -251,7 +251,7 @@ const TWICE: [&str; 8] = [
 fn first_number(expr: &mut Expr) -> Option<&mut f64> {
     match expr {
         Expr::Literal { value, .. } => Some(value),
-        Expr::Compensated(slice) => first_number(&mut slice.value),
+        Expr::Compensated(expression) => first_number(&mut expression.value),
         Expr::Neg(inner) => first_number(inner),
         Expr::Binary { left, right, .. } => first_number(left).or_else(|| first_number(right)),
         _ => None,

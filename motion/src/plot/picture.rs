@@ -19,16 +19,17 @@ use crate::motion::{Axis, Motion};
 /// How high a panel over time is, in pixels.
 const HEIGHT: f64 = 124.0;
 
-/// Axes share a panel where the panel is no higher than so many times what each of them does there.
+/// The axes share a panel as long as the whole panel is at most this many times as high as the curve of each axis; beyond
+/// that the smallest curve could not be read.
 const COMPARABLE: f64 = 12.0;
 
-/// By how many pixels of the SVG a curve may be off where it is drawn by straight lines.
+/// A curve is drawn by straight lines, which are at most this far from it, in pixels of the SVG.
 pub(super) const OFF: f64 = 0.02;
 
-/// In what is so many pixels of the SVG wide nothing is told apart.
+/// What is narrower than this, in pixels of the SVG, cannot be told apart.
 const COLUMN: f64 = 0.5;
 
-/// More meetings of segments than this are not marked.
+/// If there are more points than this at which segments meet, none is marked.
 const MOST_MEETINGS: usize = 40;
 
 /// What a panel shows.

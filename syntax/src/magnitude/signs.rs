@@ -11,7 +11,8 @@ use super::bounds::{Bounds, Sign};
 
 /// What conditions tell, by the text of expressions.
 ///
-/// All of these are evaluated without an error of sign wherever they stand: in `f64`, in double-double, inside slices.
+/// All of these are evaluated without an error of sign wherever they stand: in `f64`, in double-double, inside
+/// compensated expressions.
 #[derive(Default)]
 pub(super) struct Signs(BTreeMap<String, Known>);
 

@@ -79,7 +79,7 @@ pub struct Twice {
     pub k: f64,
 }
 
-/// A kernel in double-double whose slices may cancel.
+/// A kernel in double-double whose compensated expressions may cancel.
 #[kernel(
     family = "sample",
     precision = "double-double",

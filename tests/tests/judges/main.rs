@@ -11,11 +11,11 @@ use std::path::Path;
 use closedform::Kernel;
 use closedform_tests::algebra::check_golden;
 use closedform_tests::check::{Judge, check};
+use closedform_tests::climb::climb;
 use closedform_tests::contract::Contract;
 use closedform_tests::coverage::{Family, GOLDEN_VALUES};
 use closedform_tests::failure::Failure;
 use closedform_tests::golden::{self, GoldenValue};
-use closedform_tests::hunt::hunt;
 use closedform_tests::inputs::{Maker, Points};
 use closedform_tests::laws::chain::Chain;
 use closedform_tests::laws::motion::Motion;
@@ -23,9 +23,9 @@ use closedform_tests::laws::{Law, check_inverse};
 use closedform_tests::reference::References;
 use closedform_tests::scaling::check_scaling;
 use closedform_tests::sweep::sweep;
-use closedform_tests::{kept, plain, shapes, strategy};
+use closedform_tests::{as_written, kept, shapes, strategy};
 
-/// Points for each maker, and those at edges; the seed is always the same.
+/// Points for each maker, and those at edges; the random seed is always the same.
 const POINTS: usize = 200;
 const EDGES: usize = 1_000;
 const SEED: u64 = 1;
@@ -122,24 +122,24 @@ fn climbs_end_higher_than_they_start() {
     let judge = judge(&right::time_to_reach::KERNEL);
     let starts = judge.space.inside(Maker::Bits, SEED, 4);
     let climbed =
-        |steps| hunt(&judge, &starts, steps, SEED).expect("bounds are kept").expect("starts are judged").score;
+        |steps| climb(&judge, &starts, steps, SEED).expect("bounds are kept").expect("starts are judged").score;
     assert!(climbed(300) > 1.5 * climbed(0), "{} from {}", climbed(300), climbed(0));
 }
 
 #[test]
-fn a_kernel_must_not_be_worse_than_its_plain_form() {
+fn a_kernel_must_not_be_worse_than_its_formula_as_written() {
     let worse = |kernel| {
         Maker::SAMPLINGS.iter().find_map(|maker| {
             let judge = judge(kernel);
-            plain::check_plain(&judge, &points(&judge, *maker)).err()
+            as_written::check(&judge, &points(&judge, *maker)).err()
         })
     };
     for kernel in right::ALL {
         assert_eq!(worse(kernel), None);
     }
-    let text = worse(&mutants::branches_swapped::KERNEL).expect("the plain form is right where v < 0");
+    let text = worse(&mutants::branches_swapped::KERNEL).expect("the formula as written is right where v < 0");
     assert!(
-        text.contains("where the plain form is") && text.contains("closedform eval sample::branches_swapped"),
+        text.contains("where the formula as written is") && text.contains("closedform eval sample::branches_swapped"),
         "{text}"
     );
 }
@@ -162,7 +162,7 @@ fn kept_inputs_that_do_not_fit_or_got_worse_are_told() {
         ("sample::distance\tdistance\t0.500\tv=0x1p+0 a=-0x1p+0 t=0x1p+0".to_owned(), "outside the domain"),
     ] {
         let told = told(&line);
-        assert!(told.contains(says) && told.contains("closedform verify --hunt 60s --keep"), "{told}");
+        assert!(told.contains(says) && told.contains("closedform verify --search 60s --keep"), "{told}");
     }
 }
 

@@ -5,11 +5,10 @@ use std::sync::LazyLock;
 use closedform_tests::budget::budget;
 use closedform_tests::check::{Judge, Report, check};
 use closedform_tests::harness::Said;
-use closedform_tests::hunt::hunt;
 use closedform_tests::inputs::{Maker, Points};
 use closedform_tests::kept::{self, Kept};
 use closedform_tests::random::seed;
-use closedform_tests::{plain, shapes, strategy, sweep};
+use closedform_tests::{as_written, climb, shapes, strategy, sweep};
 
 /// The worst inputs that are kept of all kernels.
 static KEPT: LazyLock<Vec<Kept>> = LazyLock::new(kept::load);
@@ -37,7 +36,7 @@ pub fn kept(judge: &Judge) -> Said {
 
 /// The kernel is not worse by more than its bound than its formula as Maxima writes it.
 pub fn formula(judge: &Judge) -> Said {
-    points(judge, &Maker::SAMPLINGS).try_for_each(|points| plain::check_plain(judge, &points))?;
+    points(judge, &Maker::SAMPLINGS).try_for_each(|points| as_written::check(judge, &points))?;
     Ok(String::new())
 }
 
@@ -45,9 +44,9 @@ pub fn formula(judge: &Judge) -> Said {
 pub fn climb(judge: &Judge) -> Said {
     let mut starts = judge.space.inside(Maker::Bits, seed(), budget().climbs);
     starts.list.extend(kept::points(judge, &KEPT).list);
-    let summit = hunt(judge, &starts, budget().steps, seed()).map_err(|failure| failure.to_string())?;
-    let summit = summit.ok_or_else(|| format!("{}: no climb can start", judge.kernel.info.name))?;
-    Ok(format!("{:.3} of its bound at {:?}", summit.score, summit.inputs))
+    let maximum = climb::climb(judge, &starts, budget().steps, seed()).map_err(|failure| failure.to_string())?;
+    let maximum = maximum.ok_or_else(|| format!("{}: no climb can start", judge.kernel.info.name))?;
+    Ok(format!("{:.3} of its bound at {:?}", maximum.score, maximum.inputs))
 }
 
 /// The bound is kept at points that are shrunk to round numbers where it is not.

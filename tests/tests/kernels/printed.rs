@@ -1,13 +1,13 @@
-//! A kernel is the true form that the rows of the scans say it ships.
+//! A kernel is the true form that the rows of the errata say it ships.
 
 use std::sync::LazyLock;
 
 use closedform::Info;
 use closedform_tests::check::Judge;
 use closedform_tests::claim::Case;
+use closedform_tests::errata::{self, Claim, Row};
 use closedform_tests::harness::Said;
 use closedform_tests::random::seed;
-use closedform_tests::scan::{self, Claim, Row};
 
 /// Points of each maker, for each claim.
 const POINTS: usize = 60;
@@ -16,7 +16,7 @@ const POINTS: usize = 60;
 const ENOUGH: usize = 150;
 
 /// The rows of all families.
-static ROWS: LazyLock<Vec<(String, Row)>> = LazyLock::new(scan::rows);
+static ROWS: LazyLock<Vec<(String, Row)>> = LazyLock::new(errata::rows);
 
 /// The claims on the results of a kernel.
 fn claims(info: &Info) -> impl Iterator<Item = (&'static str, &'static Row, &'static Claim)> {

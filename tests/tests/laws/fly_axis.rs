@@ -1,4 +1,4 @@
-//! Laws of the scan axis that slows down and comes to rest.
+//! Laws of the fly axis that slows down and comes to rest.
 //!
 //! Its two segments: from no acceleration at v1Scan to -2*v1Diff/tIn at v1Scan-v1Diff, and from there to -a1Max at rest.
 
@@ -95,7 +95,7 @@ pub fn with_segments(chain: Chain) -> Chain {
         .then(&judge_of("fly_axis::turn_out"), &["tOut", "d1Out"])
 }
 
-/// The scan axis from its line to rest and, mirrored in time, back to its line.
+/// The fly axis from its line to rest and, mirrored in time, back to its line.
 pub fn turn() -> Motion {
     Motion::from(["0", "v1Scan", "0"])
         .jerk("tIn", "-2*v1Diff/tIn^2", ["d1In", "v1Scan-v1Diff", "a1In"])

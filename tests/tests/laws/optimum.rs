@@ -23,7 +23,7 @@ fn the_optimum_solves_both_axes() {
 
 #[test]
 fn the_optimum_of_the_seed_is_found() {
-    // The seed prints these digits, and not the next ones.
+    // The printed derivation prints these digits, and not the next ones.
     let t_i = judge_of("optimum::t_i").actual(&[500.0, 0.5, 0.001, 0.001])[0];
     assert!(format!("{t_i:.20}").starts_with("0.0517755356486726"), "{t_i}");
 }

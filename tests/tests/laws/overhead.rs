@@ -1,6 +1,6 @@
 //! Laws of the overhead of both axes together.
 //!
-//! The step axis closes on its step: (2*tau+tIn)*(4*tau+tIn) = 3*delta with tau = tOut/2+tEdge/4. The scan axis comes to
+//! The step axis closes on its step: (2*tau+tIn)*(4*tau+tIn) = 3*delta with tau = tOut/2+tEdge/4. The fly axis comes to
 //! rest: (2*v1Diff/tIn+a1Max)*tOut = 2*(v1Scan-v1Diff). Its ramp adds tIn*v1Diff/(3*v1Scan).
 
 use closedform_tests::laws::motion::Motion;
@@ -106,7 +106,7 @@ fn the_turn_of_the_scan_axis_closes() {
 
 #[test]
 fn both_turns_close_in_one_time() {
-    // The step axis ramps out while the scan axis turns and rests: tOut+tEdge/2 to either side of the edge.
+    // The step axis ramps out while the fly axis turns and rests: tOut+tEdge/2 to either side of the edge.
     let rest = fly_axis::with_segments(kernel("overhead::t_edge", &["tEdge"]));
     demand_motions(&rest, &fly_axis::turn(), &step_turn("1", "(tOut+tEdge/2)", "0", "delta"));
     let none = fly_axis::with_segments(kernel("overhead::v1_diff", &["v1Diff"]));

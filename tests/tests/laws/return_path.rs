@@ -1,4 +1,4 @@
-//! Laws of the asymmetric way back of the scan axis.
+//! Laws of the asymmetric way back of the fly axis.
 
 use closedform_tests::laws::motion::Motion;
 

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::super::eval::decimal;
 use closedform_measure::accuracy::{Measurement, Worst, ulp_text};
 use closedform_measure::catalogue::Entry;
-use closedform_measure::hunt::Bag;
+use closedform_measure::search::Found;
 use closedform_project::hexfloat;
 
 /// Digits of expected values.
@@ -35,7 +35,7 @@ pub struct Row {
     /// Whether the error is nowhere larger than the bound.
     holds: bool,
     seed: u64,
-    /// Of a hunt: the worst error at the inputs that were kept.
+    /// Of a search: the worst error at the inputs that were kept.
     #[serde(skip_serializing_if = "Option::is_none")]
     before_ulp: Option<f64>,
     worst: Option<WorstPoint>,
@@ -96,16 +96,16 @@ pub fn text(rows: &[Row], seed: u64) -> String {
 }
 
 impl Row {
-    /// One row a result of a hunt; `before` are the worst errors at the inputs that were kept.
-    pub fn hunted(entry: &Entry, before: &[Option<f64>], bag: &Bag, replay: &Replay) -> Vec<Self> {
-        let results = entry.kernel.meta.results.iter().zip(&bag.worst).zip(before);
+    /// One row a result of a search; `before` are the worst errors at the inputs that were kept.
+    pub fn searched(entry: &Entry, before: &[Option<f64>], found: &Found, replay: &Replay) -> Vec<Self> {
+        let results = entry.kernel.meta.results.iter().zip(&found.worst).zip(before);
         results
             .map(|((result, worst), before)| {
                 let worst = worst.first();
                 Row {
                     kernel: entry.full_name(),
                     result: result.name.to_string(),
-                    points: bag.looked as usize,
+                    points: found.looked as usize,
                     beyond: 0,
                     bound_ulp: result.bound,
                     holds: holds(worst, result.bound),

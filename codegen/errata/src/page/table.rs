@@ -1,4 +1,4 @@
-//! The table of one scan, and the rows that a written page lists.
+//! The table of one file, and the rows that a written page lists.
 
 use std::fmt::Write as _;
 

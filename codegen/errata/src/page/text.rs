@@ -42,9 +42,11 @@ fn cut(text: &str, longest: usize) -> String {
     }
 }
 
-/// What the scan prints, as a formula where it is one.
+/// What the derivation prints, as a formula where it is one.
 pub(super) fn printed(row: &Row) -> Option<String> {
-    row.scan.as_ref().map(|scan| formula_in_list(&scan.form.as_ref().map_or_else(|_| scan.text.clone(), print)))
+    row.printed
+        .as_ref()
+        .map(|printed| formula_in_list(&printed.form.as_ref().map_or_else(|_| printed.text.clone(), print)))
 }
 
 /// The symbols of an example with their numbers.

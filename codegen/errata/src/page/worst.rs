@@ -42,7 +42,7 @@ fn exists(one: &Judged, other: &Judged) -> Ordering {
 }
 
 fn entry(rank: usize, sheet: &Sheet, row: &Row, contrast: &Contrast) -> String {
-    let mut text = format!("\n### {rank}. {} ([{1}](scan/{1}.toml))\n", prose(&row.cell), sheet.name);
+    let mut text = format!("\n### {rank}. {} ([{1}](errata/{1}.toml))\n", prose(&row.cell), sheet.name);
     let _ = write!(text, "\n{}\n\n", prose(row.error.as_deref().unwrap_or_default()));
     let mut point = |what: &str, formula: Option<String>| {
         if let Some(formula) = formula {
@@ -50,7 +50,7 @@ fn entry(rank: usize, sheet: &Sheet, row: &Row, contrast: &Contrast) -> String {
         }
     };
     point("printed", printed(row));
-    let reads = if row.scan.is_some() { "to be read as" } else { "not shown, but" };
+    let reads = if row.printed.is_some() { "to be read as" } else { "not shown, but" };
     point(reads, row.reads.as_ref().map(|form| formula_in_list(&form.text())));
     point("right", row.right.as_ref().map(right));
     if let Some([wrong, right]) = &row.shows {

@@ -1,9 +1,9 @@
 //! Polynomials in double-double, grouped as their author wrote them.
 
 use crate::field::TowerError;
-use crate::program::Wide;
+use crate::program::CompensatedExpr;
 use crate::stable::builder::Builder;
-use crate::stable::forms::wide;
+use crate::stable::forms::double_double;
 use closedform_project::expression::Expr;
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -12,12 +12,12 @@ use num_rational::BigRational;
 ///
 /// # Errors
 /// When a name is no input.
-pub fn wide_as_written(builder: &mut Builder, expr: &Expr) -> Result<Option<Wide>, TowerError> {
+pub fn compensated_as_written(builder: &mut Builder, expr: &Expr) -> Result<Option<CompensatedExpr>, TowerError> {
     Ok(match expr {
-        Expr::Rational(value) if value.is_integer() => Some(wide::constant(&mut builder.graph, value)),
+        Expr::Rational(value) if value.is_integer() => Some(double_double::constant(&mut builder.graph, value)),
         Expr::Symbol(name) => {
             let var = builder.tower.variable(name)?;
-            Some(Wide::Leaf(builder.variable(var)?))
+            Some(CompensatedExpr::Leaf(builder.variable(var)?))
         }
         Expr::Sum(items) => {
             let terms: Vec<Expr> = items.iter().filter(|item| !item.is_zero()).cloned().collect();
@@ -25,36 +25,39 @@ pub fn wide_as_written(builder: &mut Builder, expr: &Expr) -> Result<Option<Wide
         }
         Expr::Product(items) => match items.split_first() {
             Some((first, rest)) if is_minus_one(first) => {
-                joined(parts(builder, rest)?, product).map(|positive| Wide::Neg(Box::new(positive)))
+                joined(parts(builder, rest)?, product).map(|positive| CompensatedExpr::Neg(Box::new(positive)))
             }
             _ => joined(parts(builder, items)?, product),
         },
         Expr::Power(base, exponent) if *exponent > 0 => {
-            let base = wide_as_written(builder, base)?;
+            let base = compensated_as_written(builder, base)?;
             joined(vec![base; *exponent as usize], product)
         }
         _ => None,
     })
 }
 
-fn parts(builder: &mut Builder, items: &[Expr]) -> Result<Vec<Option<Wide>>, TowerError> {
-    items.iter().map(|item| wide_as_written(builder, item)).collect()
+fn parts(builder: &mut Builder, items: &[Expr]) -> Result<Vec<Option<CompensatedExpr>>, TowerError> {
+    items.iter().map(|item| compensated_as_written(builder, item)).collect()
 }
 
 /// All parts joined, if there is none missing.
-fn joined(parts: Vec<Option<Wide>>, join: fn(Wide, Wide) -> Wide) -> Option<Wide> {
+fn joined(
+    parts: Vec<Option<CompensatedExpr>>,
+    join: fn(CompensatedExpr, CompensatedExpr) -> CompensatedExpr,
+) -> Option<CompensatedExpr> {
     parts.into_iter().collect::<Option<Vec<_>>>()?.into_iter().reduce(join)
 }
 
-fn sum(a: Wide, b: Wide) -> Wide {
+fn sum(a: CompensatedExpr, b: CompensatedExpr) -> CompensatedExpr {
     match b {
-        Wide::Neg(b) => Wide::Sub(Box::new(a), b),
-        b => Wide::Add(Box::new(a), Box::new(b)),
+        CompensatedExpr::Neg(b) => CompensatedExpr::Sub(Box::new(a), b),
+        b => CompensatedExpr::Add(Box::new(a), Box::new(b)),
     }
 }
 
-fn product(a: Wide, b: Wide) -> Wide {
-    Wide::Mul(Box::new(a), Box::new(b))
+fn product(a: CompensatedExpr, b: CompensatedExpr) -> CompensatedExpr {
+    CompensatedExpr::Mul(Box::new(a), Box::new(b))
 }
 
 fn is_minus_one(expr: &Expr) -> bool {

@@ -1,6 +1,6 @@
 //! Domains: a contract's conditions as steps that decide them, and as facts about signs.
 
-use super::as_written::wide_as_written;
+use super::as_written::compensated_as_written;
 use super::error::KernelError;
 use super::formula::Formula;
 use super::known::{Effort, Known};
@@ -117,10 +117,10 @@ fn as_written(builder: &mut Builder, comparison: &Comparison, text: &str) -> Res
     let order = comparison.relation;
     let below = order.is_below();
     let (left, right, order) = if below { (right, left, order.mirrored()) } else { (left, right, order) };
-    let slice = wide_as_written(builder, &left.clone().minus(right.clone()))
+    let expression = compensated_as_written(builder, &left.clone().minus(right.clone()))
         .map_err(|cause| KernelError::Domain { condition: text.to_owned(), cause })?;
-    let Some(slice) = slice else { return Ok(None) };
-    let node = builder.graph.compensated(slice, Sign::ANY);
+    let Some(expression) = expression else { return Ok(None) };
+    let node = builder.graph.compensated(expression, Sign::ANY);
     Ok(Some(compared_with_zero(&mut builder.graph, node, order)))
 }
 

@@ -155,7 +155,7 @@ impl<'k> Walk<'_, 'k> {
             Source::Pi(_) => Expr::Pi,
             Source::Neg(a) => self.value(a).negated(),
             Source::Call(function, a) => Expr::call(*function, self.value(a)),
-            Source::Compensated(slice) => self.value(&slice.value),
+            Source::Compensated(expression) => self.value(&expression.value),
             Source::Residual(a) => self.value(a),
             Source::Binary { op, left, right } => {
                 let (left, right) = (self.value(left), self.value(right));

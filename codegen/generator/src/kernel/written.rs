@@ -34,7 +34,7 @@ pub enum WrittenError {
     TooLarge,
     /// The text takes a step that no formula as written has.
     #[error("its text has steps of another precision")]
-    Slice,
+    Compensated,
 }
 
 /// Conditions and results as steps of one graph.
@@ -191,7 +191,7 @@ impl<'a> Written<'a> {
     fn text_value(&mut self, expr: &Source, slots: &[Node]) -> Result<Node, WrittenError> {
         match expr {
             Source::Literal { value, .. } => {
-                let value = BigRational::from_float(*value).ok_or(WrittenError::Slice)?;
+                let value = BigRational::from_float(*value).ok_or(WrittenError::Compensated)?;
                 Ok(self.graph.constant(&value))
             }
             Source::Name(name) => Ok(slots[name.slot]),
@@ -221,7 +221,7 @@ impl<'a> Written<'a> {
                 let coefficients = self.text_values(coefficients, slots)?;
                 Ok(self.graph.positive_root(coefficients, f64::INFINITY))
             }
-            Source::If { .. } | Source::Compensated(_) | Source::Residual(_) => Err(WrittenError::Slice),
+            Source::If { .. } | Source::Compensated(_) | Source::Residual(_) => Err(WrittenError::Compensated),
         }
     }
 

@@ -1,7 +1,7 @@
 //! What a program costs: its operations, counted once however often a step is used.
 
 use super::reach::reached;
-use super::{Graph, Node, Op, Wide};
+use super::{CompensatedExpr, Graph, Node, Op};
 
 /// Operation counts of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -15,7 +15,7 @@ pub struct Cost {
     /// Roots of numbers.
     pub roots: usize,
     /// Double-double operations.
-    pub wide: usize,
+    pub double_double: usize,
 }
 
 /// The cost of everything that some nodes need.
@@ -28,7 +28,7 @@ pub fn cost(graph: &Graph, nodes: &[Node]) -> Cost {
             Op::Mul(..) => cost.multiplications += 1,
             Op::Div(..) => cost.divisions += 1,
             Op::Call(function, _) if !function.is_exact() => cost.roots += 1,
-            Op::Compensated(wide) | Op::Residual(wide) => cost.wide += operations(wide),
+            Op::Compensated(expression) | Op::Residual(expression) => cost.double_double += operations(expression),
             Op::Input(_) | Op::Literal(_) | Op::Pi | Op::Neg(_) | Op::Call(..) | Op::If(..) => {}
             Op::Max(_) | Op::Min(_) | Op::PositiveRoot(_) => {}
         }
@@ -36,10 +36,12 @@ pub fn cost(graph: &Graph, nodes: &[Node]) -> Cost {
     cost
 }
 
-fn operations(wide: &Wide) -> usize {
-    match wide {
-        Wide::Leaf(_) => 0,
-        Wide::Neg(a) => operations(a),
-        Wide::Add(a, b) | Wide::Sub(a, b) | Wide::Mul(a, b) => 1 + operations(a) + operations(b),
+fn operations(expression: &CompensatedExpr) -> usize {
+    match expression {
+        CompensatedExpr::Leaf(_) => 0,
+        CompensatedExpr::Neg(a) => operations(a),
+        CompensatedExpr::Add(a, b) | CompensatedExpr::Sub(a, b) | CompensatedExpr::Mul(a, b) => {
+            1 + operations(a) + operations(b)
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! The graph of steps: equal steps are one node, and each knows its sign and a bound of its relative error.
 
 use super::constant::{beyond_literals, is_exact, is_power_of_two, leading_bits};
-use super::op::{Condition, Node, Op, Wide};
+use super::op::{CompensatedExpr, Condition, Node, Op};
 use crate::field::Sign;
 use closedform_arith::error_model;
 use closedform_syntax::Function;
@@ -29,7 +29,7 @@ pub struct Graph {
 /// What a rounding to nearest adds to a relative error, in units of 2^-53.
 const ROUNDING: f64 = error_model::ROUNDING.to_f64();
 
-/// How far a `compensated!` slice may be off, in units of 2^-53.
+/// How far a `compensated!` expression may be off, in units of 2^-53.
 const COMPENSATED: f64 = error_model::COMPENSATED.to_f64();
 
 impl Graph {
@@ -316,13 +316,13 @@ impl Graph {
     }
 
     /// A polynomial to all digits; its leaves count as exact.
-    pub fn compensated(&mut self, wide: Wide, sign: Sign) -> Node {
-        self.push(Op::Compensated(wide), sign, COMPENSATED)
+    pub fn compensated(&mut self, expression: CompensatedExpr, sign: Sign) -> Node {
+        self.push(Op::Compensated(expression), sign, COMPENSATED)
     }
 
     /// A polynomial in double-double, rounded once; its error has no bound of its own.
-    pub fn residual(&mut self, wide: Wide) -> Node {
-        self.push(Op::Residual(wide), Sign::ANY, f64::INFINITY)
+    pub fn residual(&mut self, expression: CompensatedExpr) -> Node {
+        self.push(Op::Residual(expression), Sign::ANY, f64::INFINITY)
     }
 
     /// The one positive root of a polynomial; `error` bounds its relative error.
@@ -343,15 +343,15 @@ impl Graph {
 
     /// The polynomial of the inputs that a node is worth, if it is one: its steps, without their roundings.
     #[must_use]
-    pub fn polynomial(&self, node: Node) -> Option<Wide> {
+    pub fn polynomial(&self, node: Node) -> Option<CompensatedExpr> {
         let both = |a, b| Some((Box::new(self.polynomial(a)?), Box::new(self.polynomial(b)?)));
         match *self.op(node) {
-            Op::Input(_) | Op::Literal(_) if self.error(node) == 0.0 => Some(Wide::Leaf(node)),
-            Op::Neg(a) => Some(Wide::Neg(Box::new(self.polynomial(a)?))),
-            Op::Add(a, b) => both(a, b).map(|(a, b)| Wide::Add(a, b)),
-            Op::Sub(a, b) => both(a, b).map(|(a, b)| Wide::Sub(a, b)),
-            Op::Mul(a, b) => both(a, b).map(|(a, b)| Wide::Mul(a, b)),
-            Op::Compensated(ref wide) => Some(wide.clone()),
+            Op::Input(_) | Op::Literal(_) if self.error(node) == 0.0 => Some(CompensatedExpr::Leaf(node)),
+            Op::Neg(a) => Some(CompensatedExpr::Neg(Box::new(self.polynomial(a)?))),
+            Op::Add(a, b) => both(a, b).map(|(a, b)| CompensatedExpr::Add(a, b)),
+            Op::Sub(a, b) => both(a, b).map(|(a, b)| CompensatedExpr::Sub(a, b)),
+            Op::Mul(a, b) => both(a, b).map(|(a, b)| CompensatedExpr::Mul(a, b)),
+            Op::Compensated(ref expression) => Some(expression.clone()),
             _ => None,
         }
     }

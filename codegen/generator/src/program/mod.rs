@@ -11,5 +11,5 @@ pub use constant::{beyond_literals, is_exact, is_power_of_two, leading_bits};
 pub use cost::{Cost, cost};
 pub use graph::Graph;
 pub use naming::{Let, Program, name_steps};
-pub use op::{Condition, Node, Op, Wide};
+pub use op::{CompensatedExpr, Condition, Node, Op};
 pub use reach::{reached, rules_reached};

@@ -29,7 +29,8 @@ impl Program {
     }
 }
 
-/// Names every step that is used more than once, and those that readers look for: roots, selections, slices that cancel.
+/// Names every step that is used more than once, and those that readers look for: roots, selections, compensated
+/// expressions that cancel.
 #[must_use]
 pub fn name_steps(graph: &Graph, outputs: &[Node], taken: &[String]) -> Program {
     let mut uses: BTreeMap<Node, usize> = BTreeMap::new();

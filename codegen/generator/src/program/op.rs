@@ -22,17 +22,17 @@ pub enum Condition {
 
 /// A polynomial that is evaluated in double-double and rounded once.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Wide {
+pub enum CompensatedExpr {
     /// An operand that counts as exact.
     Leaf(Node),
     /// The negative.
-    Neg(Box<Wide>),
+    Neg(Box<CompensatedExpr>),
     /// The sum.
-    Add(Box<Wide>, Box<Wide>),
+    Add(Box<CompensatedExpr>, Box<CompensatedExpr>),
     /// The difference.
-    Sub(Box<Wide>, Box<Wide>),
+    Sub(Box<CompensatedExpr>, Box<CompensatedExpr>),
     /// The product.
-    Mul(Box<Wide>, Box<Wide>),
+    Mul(Box<CompensatedExpr>, Box<CompensatedExpr>),
 }
 
 /// What a step does.
@@ -63,9 +63,9 @@ pub enum Op {
     /// The smallest of some values.
     Min(Vec<Node>),
     /// A polynomial that may cancel, to all digits.
-    Compensated(Wide),
+    Compensated(CompensatedExpr),
     /// A polynomial at an iterate of its root, in double-double.
-    Residual(Wide),
+    Residual(CompensatedExpr),
     /// The one positive root of a polynomial, from its coefficients, lowest power first.
     PositiveRoot(Vec<Node>),
 }
@@ -83,7 +83,7 @@ impl Op {
                 nodes.extend([*a, *b]);
                 nodes
             }
-            Self::Compensated(wide) | Self::Residual(wide) => wide.leaves(),
+            Self::Compensated(expression) | Self::Residual(expression) => expression.leaves(),
             Self::Max(nodes) | Self::Min(nodes) | Self::PositiveRoot(nodes) => nodes.clone(),
         }
     }
@@ -111,7 +111,7 @@ impl Condition {
     }
 }
 
-impl Wide {
+impl CompensatedExpr {
     /// The operands.
     #[must_use]
     pub fn leaves(&self) -> Vec<Node> {

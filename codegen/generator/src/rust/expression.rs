@@ -1,6 +1,6 @@
 //! Expressions and conditions of the kernel language, as text.
 
-use crate::program::{Condition, Graph, Node, Op, Program, Wide};
+use crate::program::{CompensatedExpr, Condition, Graph, Node, Op, Program};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
@@ -75,8 +75,8 @@ impl<'g> Printer<'g> {
     #[must_use]
     pub fn definition(&self, node: Node, indent: usize) -> String {
         match self.graph.op(node) {
-            Op::Compensated(wide) => self.slice("compensated", wide, indent),
-            Op::Residual(wide) => self.slice("residual", wide, indent),
+            Op::Compensated(expression) => self.compensated_expression("compensated", expression, indent),
+            Op::Residual(expression) => self.compensated_expression("residual", expression, indent),
             Op::If(condition, then, otherwise) => self.choice(condition, *then, *otherwise, indent),
             _ => self.operation(node).broken(indent),
         }
@@ -105,8 +105,8 @@ impl<'g> Printer<'g> {
         nodes.iter().map(|&node| self.text(node).flat()).collect::<Vec<_>>().join(", ")
     }
 
-    fn slice(&self, name: &str, wide: &Wide, indent: usize) -> String {
-        let inner = self.wide(wide);
+    fn compensated_expression(&self, name: &str, expression: &CompensatedExpr, indent: usize) -> String {
+        let inner = self.expression(expression);
         let flat = inner.flat();
         if flat.len() + indent <= WIDTH {
             return format!("{name}!({flat})");
@@ -154,21 +154,21 @@ impl<'g> Printer<'g> {
             Op::Div(a, b) => chain(PRODUCT, self.text(*a), "/", &self.text(*b)),
             Op::Call(function, a) => Text::atom(format!("{}({})", function.name(), self.text(*a).flat())),
             Op::If(condition, a, b) => Text::atom(self.flat_choice(condition, *a, *b)),
-            Op::Compensated(wide) => Text::atom(format!("compensated!({})", self.wide(wide).flat())),
-            Op::Residual(wide) => Text::atom(format!("residual!({})", self.wide(wide).flat())),
+            Op::Compensated(expression) => Text::atom(format!("compensated!({})", self.expression(expression).flat())),
+            Op::Residual(expression) => Text::atom(format!("residual!({})", self.expression(expression).flat())),
             Op::Max(items) => Text::atom(format!("max({})", self.list(items))),
             Op::Min(items) => Text::atom(format!("min({})", self.list(items))),
             Op::PositiveRoot(coefficients) => Text::atom(format!("positive_root([{}])", self.list(coefficients))),
         }
     }
 
-    fn wide(&self, wide: &Wide) -> Text {
-        match wide {
-            Wide::Leaf(node) => self.text(*node),
-            Wide::Neg(a) => negative(&self.wide(a)),
-            Wide::Add(a, b) => chain(SUM, self.wide(a), "+", &self.wide(b)),
-            Wide::Sub(a, b) => chain(SUM, self.wide(a), "-", &self.wide(b)),
-            Wide::Mul(a, b) => chain(PRODUCT, self.wide(a), "*", &self.wide(b)),
+    fn expression(&self, expression: &CompensatedExpr) -> Text {
+        match expression {
+            CompensatedExpr::Leaf(node) => self.text(*node),
+            CompensatedExpr::Neg(a) => negative(&self.expression(a)),
+            CompensatedExpr::Add(a, b) => chain(SUM, self.expression(a), "+", &self.expression(b)),
+            CompensatedExpr::Sub(a, b) => chain(SUM, self.expression(a), "-", &self.expression(b)),
+            CompensatedExpr::Mul(a, b) => chain(PRODUCT, self.expression(a), "*", &self.expression(b)),
         }
     }
 }

@@ -19,7 +19,7 @@ pub struct Candidate {
 /// What a step in double-double adds to a relative error, in units of 2^-53.
 const STEP: f64 = error_model::DOUBLE_DOUBLE_STEP.to_f64();
 
-/// How far a `compensated!` slice may be off that is not rounded, in units of 2^-53.
+/// How far a `compensated!` expression may be off that is not rounded, in units of 2^-53.
 const COMPENSATED: f64 = error_model::COMPENSATED_IN_DOUBLE_DOUBLE.to_f64();
 
 impl Candidate {

@@ -26,7 +26,7 @@ pub enum Mode {
     /// No sum may cancel: its terms agree in sign on the domain, or both are exact.
     Plain,
     /// Sums may cancel, because they are evaluated in double-double.
-    Wide,
+    DoubleDouble,
 }
 
 /// How many variables are tried as the outermost one of a Horner form, while no more than so many polynomials have been
@@ -134,7 +134,7 @@ impl<'f> Nester<'f> {
 
     fn may_add(&self, a: &Polynomial, b: &Polynomial) -> bool {
         let exact = self.is_exact(a) && self.is_exact(b);
-        self.mode == Mode::Wide || exact || self.facts.sign(a).plus(self.facts.sign(b)).is_definite()
+        self.mode == Mode::DoubleDouble || exact || self.facts.sign(a).plus(self.facts.sign(b)).is_definite()
     }
 
     /// Whether `f64` holds the value without rounding: an input times a power of two, or a constant.

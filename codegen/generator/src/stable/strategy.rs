@@ -2,7 +2,7 @@
 //!
 //! 1. Elements become steps by forms, the first that applies. A later result may go through an earlier one.
 //! 2. The root of an equation becomes steps by a solver: [`SOLVER`].
-//! 3. The finished program goes through passes: polynomials of many roundings are gathered, divisions are shared where the
+//! 3. The finished program goes through passes: polynomials of many roundings are fused, divisions are shared where the
 //!    contract asks for that. If that leaves too many roundings, the program in double-double is made too and taken.
 //!
 //! Where no stable form is found or proved at all, the formula is certified as it is written.
@@ -15,11 +15,11 @@ use super::forms::{
     known_sum, merge_cubes, merge_roots, plain, same_sign_radicand, sign_branch, sum, through_result,
 };
 use super::passes::double_double::{self, DoubleDouble};
-use super::passes::gathered::{self, Gathered};
+use super::passes::fused::{self, Fused};
 use super::passes::one_reciprocal::{self, OneReciprocal, Products};
 use super::passes::{Pass, distributed};
 use super::rule::Rule;
-use super::solvers::{Solver, falling_newton};
+use super::solvers::{Solver, monotone_newton};
 use crate::field::{Element, Tower, TowerError};
 use crate::program::{Graph, Node};
 
@@ -34,8 +34,8 @@ pub const ALL: [&Rule; 18] = [
     &distributed::RULE,
     &double_double::RULE,
     &factored::RULE,
-    &falling_newton::RULE,
-    &gathered::RULE,
+    &monotone_newton::RULE,
+    &fused::RULE,
     &known_sum::RULE,
     &merge_cubes::RULE,
     &merge_roots::RULE,
@@ -63,14 +63,14 @@ const FORMS: &AllForms = &AllForms {
 const THROUGH_EARLIER: Form<Later> = through_result::steps;
 
 /// Finds the roots of equations.
-pub const SOLVER: Solver = falling_newton::steps;
+pub const SOLVER: Solver = monotone_newton::steps;
 
 /// The rule by which a formula is taken as it is written.
 pub const AS_WRITTEN: &Rule = &certified::RULE;
 
-/// How polynomials of many roundings are gathered.
-const fn gathered(always: bool) -> Gathered {
-    Gathered { always, product: distributed::product }
+/// How polynomials of many roundings are fused.
+const fn fused(always: bool) -> Fused {
+    Fused { always, product: distributed::product }
 }
 
 /// The rules of some names, in alphabetical order.
@@ -104,17 +104,17 @@ pub fn results(builder: &mut Builder, elements: &[Element]) -> Result<Vec<Node>,
 /// many.
 fn result(builder: &mut Builder, later: &Later) -> Result<Node, TowerError> {
     let Some(through) = THROUGH_EARLIER(builder, later)? else { return builder.element(&later.element) };
-    if builder.graph.error(through) <= gathered::ENOUGH {
+    if builder.graph.error(through) <= fused::ENOUGH {
         return Ok(through);
     }
     let direct = builder.element(&later.element)?;
-    let [direct_error, through_error] = [direct, through].map(|node| error_once_gathered(&builder.graph, node));
+    let [direct_error, through_error] = [direct, through].map(|node| error_once_fused(&builder.graph, node));
     Ok(if direct_error < through_error { direct } else { through })
 }
 
-fn error_once_gathered(graph: &Graph, result: Node) -> f64 {
+fn error_once_fused(graph: &Graph, result: Node) -> f64 {
     let candidate = Candidate::new(graph.clone(), vec![result]);
-    after(&gathered(true), candidate).worst_error()
+    after(&fused(true), candidate).worst_error()
 }
 
 /// What a contract wants of a program.
@@ -133,7 +133,7 @@ pub fn finished(graph: Graph, outputs: Vec<Node>, wanted: Wanted) -> Candidate {
     let divided = |candidate, products| {
         if wanted.one_division { after(&OneReciprocal { products }, candidate) } else { candidate }
     };
-    let doubles = divided(after(&gathered(wanted.few_roundings), plain.clone()), Products::Slices);
+    let doubles = divided(after(&fused(wanted.few_roundings), plain.clone()), Products::Compensated);
     if !double_double::is_worth_it(&doubles, wanted.few_roundings) {
         return doubles;
     }
@@ -168,8 +168,8 @@ mod tests {
     #[test]
     fn rules_are_listed_once_and_in_order() {
         assert!(ALL.windows(2).all(|pair| pair[0].name < pair[1].name));
-        let named = rules_named(["gathered", "by hand", "conjugate"]);
-        assert_eq!(named, [&conjugate::RULE, &gathered::RULE]);
+        let named = rules_named(["fused", "by hand", "conjugate"]);
+        assert_eq!(named, [&conjugate::RULE, &fused::RULE]);
     }
 
     #[test]
@@ -196,7 +196,7 @@ mod tests {
         let made = finished(graph, vec![product], NOTHING);
         assert!(matches!(made.graph.op(made.outputs[0]), Op::Compensated(_)) && made.graph.is_fused(made.outputs[0]));
         assert!(made.worst_error() < 1.1);
-        assert_eq!(Vec::from_iter(made.rules(&[])), ["gathered"]);
+        assert_eq!(Vec::from_iter(made.rules(&[])), ["fused"]);
     }
 
     #[test]
@@ -212,7 +212,7 @@ mod tests {
         let (mut graph, factors) = inputs::<6>();
         let product = product(&mut graph, &factors);
         let plain = Candidate::new(graph, vec![product]);
-        let made = gathered(true).apply(&plain).unwrap();
+        let made = fused(true).apply(&plain).unwrap();
         assert_ne!(made.outputs, plain.outputs);
         assert_eq!((plain.worst_error(), plain.rules(&[]).len()), (5.0, 0));
     }
@@ -226,7 +226,7 @@ mod tests {
         let squares = product(&mut graph, &[p, p, p, p]);
         let outer = graph.mul(squares, sum);
         let made = finished(graph, vec![outer], NOTHING);
-        assert_eq!(Vec::from_iter(made.rules(&[])), ["distributed", "gathered"]);
+        assert_eq!(Vec::from_iter(made.rules(&[])), ["distributed", "fused"]);
         assert!(made.worst_error() < 5.0);
     }
 
@@ -245,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_gathered_is_taken_in_double_double() {
+    fn what_cannot_be_fused_is_taken_in_double_double() {
         let (mut graph, factors) = inputs::<4>();
         let roots = factors.map(|factor| graph.call(Function::Sqrt, factor));
         let product = product(&mut graph, &roots);

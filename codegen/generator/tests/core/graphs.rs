@@ -2,7 +2,7 @@
 
 use super::values::{BITS, cases, float};
 use closedform_generator::field::Sign;
-use closedform_generator::program::{Graph, Node, Op, Wide};
+use closedform_generator::program::{CompensatedExpr, Graph, Node, Op};
 use closedform_syntax::Function;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -42,10 +42,13 @@ fn made(graph: &mut Graph, kind: u8, a: Node, b: Node, number: usize) -> Node {
         7 => graph.call(Function::Abs, a),
         8 => graph.constant(&BigRational::new(((number % 41) as i64 - 20).into(), (number % 7 + 1).into())),
         9 => {
-            let wide = Wide::Sub(Wide::Mul(Wide::Leaf(a).into(), Wide::Leaf(a).into()).into(), Wide::Leaf(b).into());
+            let expression = CompensatedExpr::Sub(
+                CompensatedExpr::Mul(CompensatedExpr::Leaf(a).into(), CompensatedExpr::Leaf(a).into()).into(),
+                CompensatedExpr::Leaf(b).into(),
+            );
             // what counts as exact must be so
             let exact = |node| matches!(graph.op(node), Op::Input(_) | Op::Literal(_));
-            if exact(a) && exact(b) { graph.compensated(wide, Sign::ANY) } else { a }
+            if exact(a) && exact(b) { graph.compensated(expression, Sign::ANY) } else { a }
         }
         _ => graph.extreme(true, vec![a, b]),
     }
@@ -55,7 +58,7 @@ fn made(graph: &mut Graph, kind: u8, a: Node, b: Node, number: usize) -> Node {
 trait Number: Clone {
     fn constant(value: &BigRational) -> Self;
     fn combine(op: &Op, operands: &[Self]) -> Self;
-    fn slice(value: Float) -> Self;
+    fn compensated_expression(value: Float) -> Self;
     fn float(&self) -> Float;
 }
 
@@ -78,7 +81,7 @@ impl Number for f64 {
         }
     }
 
-    fn slice(value: Float) -> Self {
+    fn compensated_expression(value: Float) -> Self {
         value.to_f64()
     }
 
@@ -107,7 +110,7 @@ impl Number for Float {
         }
     }
 
-    fn slice(value: Float) -> Self {
+    fn compensated_expression(value: Float) -> Self {
         value
     }
 
@@ -120,22 +123,22 @@ fn value<N: Number>(graph: &Graph, node: Node, point: &[f64]) -> N {
     match graph.op(node) {
         Op::Input(index) => N::constant(&BigRational::from_float(point[*index]).unwrap()),
         Op::Literal(number) => N::constant(number),
-        Op::Compensated(wide) => N::slice(wide_value::<N>(graph, wide, point)),
+        Op::Compensated(expression) => N::compensated_expression(compensated_value::<N>(graph, expression, point)),
         op => {
             N::combine(op, &graph.operands(node).into_iter().map(|node| value(graph, node, point)).collect::<Vec<N>>())
         }
     }
 }
 
-/// A slice, exactly: many bits hold it.
-fn wide_value<N: Number>(graph: &Graph, wide: &Wide, point: &[f64]) -> Float {
-    let of = |wide: &Wide| wide_value::<N>(graph, wide, point);
-    match wide {
-        Wide::Leaf(node) => value::<N>(graph, *node, point).float(),
-        Wide::Neg(a) => -of(a),
-        Wide::Add(a, b) => of(a) + of(b),
-        Wide::Sub(a, b) => of(a) - of(b),
-        Wide::Mul(a, b) => of(a) * of(b),
+/// A compensated expression, exactly: many bits hold it.
+fn compensated_value<N: Number>(graph: &Graph, expression: &CompensatedExpr, point: &[f64]) -> Float {
+    let of = |expression: &CompensatedExpr| compensated_value::<N>(graph, expression, point);
+    match expression {
+        CompensatedExpr::Leaf(node) => value::<N>(graph, *node, point).float(),
+        CompensatedExpr::Neg(a) => -of(a),
+        CompensatedExpr::Add(a, b) => of(a) + of(b),
+        CompensatedExpr::Sub(a, b) => of(a) - of(b),
+        CompensatedExpr::Mul(a, b) => of(a) * of(b),
     }
 }
 

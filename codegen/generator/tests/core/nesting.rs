@@ -51,8 +51,8 @@ proptest! {
         let condition = polynomial_of(&condition);
         facts.learn(&condition, Sign::of(&value(&condition, &at)));
         let polynomial = polynomial_of(&terms);
-        let wide = Nester::new(&facts, VARIABLES, Mode::Wide).nest(&polynomial);
-        prop_assert_eq!(wide.map(|nested| expanded(&ring, &nested)), Some(polynomial.clone()));
+        let expression = Nester::new(&facts, VARIABLES, Mode::DoubleDouble).nest(&polynomial);
+        prop_assert_eq!(expression.map(|nested| expanded(&ring, &nested)), Some(polynomial.clone()));
         if let Some(plain) = Nester::new(&facts, VARIABLES, Mode::Plain).nest(&polynomial) {
             prop_assert_eq!(expanded(&ring, &plain), polynomial);
             prop_assert!(does_not_cancel(&ring, &plain, &at), "{plain:?} at {at:?}");

@@ -3,7 +3,7 @@
 use super::graphs::{INPUTS, graph, steps};
 use super::values::cases;
 use closedform_generator::field::Sign;
-use closedform_generator::program::{Condition, Graph, Node, Op, Wide, name_steps};
+use closedform_generator::program::{CompensatedExpr, Condition, Graph, Node, Op, name_steps};
 use closedform_generator::rust::{InputDoc, KernelText, ModuleText, RequireText, ResultText, print_module};
 use closedform_syntax::{BinaryOp, Condition as SourceCondition, Expr, Kernel, Precision, Relation, parse_file};
 use num_rational::BigRational;
@@ -76,7 +76,9 @@ impl<'k> Beside<'k> {
             | (Op::Min(nodes), Expr::Extreme { largest: false, items }) => {
                 nodes.len() == items.len() && nodes.iter().zip(items).all(|(node, item)| self.same(*node, item))
             }
-            (Op::Compensated(wide), Expr::Compensated(slice)) => self.same_slice(wide, &slice.value),
+            (Op::Compensated(expression), Expr::Compensated(expression)) => {
+                self.same_compensated(expression, &expression.value)
+            }
             (Op::If(condition, a, b), Expr::If { condition: found, then, otherwise }) => {
                 self.same_condition(condition, found) && self.same(*a, then) && self.same(*b, otherwise)
             }
@@ -84,14 +86,14 @@ impl<'k> Beside<'k> {
         }
     }
 
-    fn same_slice(&self, wide: &Wide, expr: &'k Expr) -> bool {
-        match (wide, expr) {
-            (Wide::Leaf(node), expr) => self.same(*node, expr),
-            (Wide::Neg(a), Expr::Neg(inner)) => self.same_slice(a, inner),
-            (Wide::Add(a, b), Expr::Binary { op: BinaryOp::Add, left, right })
-            | (Wide::Sub(a, b), Expr::Binary { op: BinaryOp::Sub, left, right })
-            | (Wide::Mul(a, b), Expr::Binary { op: BinaryOp::Mul, left, right }) => {
-                self.same_slice(a, left) && self.same_slice(b, right)
+    fn same_compensated(&self, expression: &CompensatedExpr, expr: &'k Expr) -> bool {
+        match (expression, expr) {
+            (CompensatedExpr::Leaf(node), expr) => self.same(*node, expr),
+            (CompensatedExpr::Neg(a), Expr::Neg(inner)) => self.same_compensated(a, inner),
+            (CompensatedExpr::Add(a, b), Expr::Binary { op: BinaryOp::Add, left, right })
+            | (CompensatedExpr::Sub(a, b), Expr::Binary { op: BinaryOp::Sub, left, right })
+            | (CompensatedExpr::Mul(a, b), Expr::Binary { op: BinaryOp::Mul, left, right }) => {
+                self.same_compensated(a, left) && self.same_compensated(b, right)
             }
             _ => false,
         }

@@ -4,7 +4,7 @@ use closedform_syntax::{Input, Kernel};
 use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
-use super::slice::function_text;
+use super::source::function_text;
 use closedform_project::contract;
 use closedform_project::domain::{Condition, ConditionError, Domain};
 

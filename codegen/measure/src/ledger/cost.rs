@@ -13,10 +13,10 @@ use closedform_syntax::{Operations, Precision};
 const DIVISION: u32 = Cost::DIVISION;
 
 /// The operations of double-double: addition, multiplication, division.
-const WIDE: [u32; 3] = [20, 9, 16 + 2 * DIVISION];
+const DOUBLE_DOUBLE: [u32; 3] = [20, 9, 16 + 2 * DIVISION];
 
-/// An operation inside a slice: the mean of its kinds, exact operands or not, with the size kept beside it.
-const IN_SLICE: u32 = 12;
+/// An operation inside a compensated expression: the mean of its kinds, exact operands or not, with the size kept beside it.
+const IN_COMPENSATED: u32 = 12;
 
 /// The operations of balls of 256 bits, in the same order, and a root of a polynomial: about as many ns as a call takes for each.
 const BALL: [u32; 3] = [100, 130, 700];
@@ -25,8 +25,8 @@ const ROOT_OF_BALLS: u32 = 8_000;
 /// A falling iteration: about a dozen steps through a polynomial of degree four and its derivative, each with a division.
 const ITERATION: u32 = 12 * (2 * 2 * 4 + DIVISION);
 
-/// The plain call of a kernel of this precision.
-pub(super) fn plain(count: &Operations, precision: Precision) -> u32 {
+/// The default call of a kernel of this precision.
+pub(super) fn default(count: &Operations, precision: Precision) -> u32 {
     match precision {
         Precision::Double => in_double(count),
         Precision::DoubleDouble => faithful(count),
@@ -40,7 +40,7 @@ fn in_double(count: &Operations) -> u32 {
 
 /// The faithful call, where nothing over- or underflows.
 pub(super) fn faithful(count: &Operations) -> u32 {
-    let [add, mul, div] = WIDE;
+    let [add, mul, div] = DOUBLE_DOUBLE;
     add * count.add + mul * count.mul + div * count.div + calls(count, |cost| cost.double_double) + inner(count)
 }
 
@@ -55,7 +55,7 @@ fn certified(count: &Operations) -> u32 {
 }
 
 /// The formula as it is written; `None` where it has no such form.
-pub(super) fn naive(formula: &Expr) -> Option<u32> {
+pub(super) fn as_written(formula: &Expr) -> Option<u32> {
     let count = double_operations(formula)?;
     let root = |function: Function, calls: u32| calls * function.properties().cost.double;
     let roots = root(Function::Sqrt, count.sqrt) + root(Function::Cbrt, count.cbrt);
@@ -68,5 +68,5 @@ fn calls(count: &Operations, cost: fn(Cost) -> u32) -> u32 {
 }
 
 fn inner(count: &Operations) -> u32 {
-    IN_SLICE * count.compensated + ITERATION * count.root
+    IN_COMPENSATED * count.compensated + ITERATION * count.root
 }

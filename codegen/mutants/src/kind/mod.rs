@@ -2,11 +2,11 @@
 
 mod branch;
 mod coefficient;
+mod compensated;
 mod condition;
 mod function;
 mod name;
 mod operator;
-mod slice;
 mod walk;
 mod whole;
 
@@ -59,7 +59,7 @@ fn expressions(expr: &Expr, place: Place, names: &Names) -> Vec<Wrong<Expr>> {
     found.extend(function::mutations(expr, place));
     found.extend(names.mutations(expr));
     found.extend(branch::mutations(expr));
-    found.extend(slice::mutations(expr, place));
+    found.extend(compensated::mutations(expr, place));
     found
 }
 

@@ -35,7 +35,7 @@ fn binary(op: BinaryOp, left: &Expr, right: &Expr) -> Expr {
 /// Every other operator.
 fn exchanged(op: BinaryOp, left: &Expr, right: &Expr, place: Place) -> Vec<Wrong<Expr>> {
     let all = [BinaryOp::Add, BinaryOp::Sub, BinaryOp::Mul, BinaryOp::Div].into_iter();
-    let allowed = all.filter(|other| *other != op && (place != Place::Slice || *other != BinaryOp::Div));
+    let allowed = all.filter(|other| *other != op && (place != Place::Compensated || *other != BinaryOp::Div));
     let wrong = |other| Wrong::new(format!("{} as {}", written(op), written(other)), binary(other, left, right));
     allowed.map(wrong).collect()
 }

@@ -13,7 +13,7 @@ pub enum Place {
     /// A side of a comparison.
     Side,
     /// Inside `compensated!` or `residual!`: sums and products of names and numbers.
-    Slice,
+    Compensated,
 }
 
 /// The mutations that a walk makes.
@@ -33,7 +33,7 @@ impl Walk<'_> {
     fn inside(&self, expr: &Expr, place: Place) -> Vec<Wrong<Expr>> {
         let place = match expr {
             Expr::If { condition, then, otherwise } => return self.choice(condition, then, otherwise),
-            Expr::Residual(_) | Expr::Compensated(_) => Place::Slice,
+            Expr::Residual(_) | Expr::Compensated(_) => Place::Compensated,
             Expr::Extreme { .. } | Expr::PositiveRoot(_) => Place::Plain,
             _ => place,
         };

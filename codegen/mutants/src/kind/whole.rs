@@ -71,7 +71,7 @@ fn bounds(kernel: &Kernel) -> Vec<Mutant> {
 struct Swap(usize, usize);
 
 impl Swap {
-    /// `None` if a slice no longer fits.
+    /// `None` if a compensated expression no longer fits.
     fn kernel(&self, kernel: &Kernel) -> Option<Kernel> {
         let mut kernel = kernel.clone();
         for step in &mut kernel.lets {

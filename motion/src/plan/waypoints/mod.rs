@@ -1,9 +1,9 @@
 //! Waypoints: polynomials in time, segment after segment, through four points or more.
 //!
-//! The seed's problems (a) to (f) go through four points in three segments; (a) and (e) are as clear with two, (f) with
-//! three. With more points, the first and the last
-//! segment are what the problem says, and those between are cubics; what the four points leave open is settled so that
-//! four points are no special case, [`Problem`] says how. Each coordinate is planned by itself, on one clock.
+//! The printed derivation's problems (a) to (f) go through four points in three segments; (a) and (e) are as clear with
+//! two, (f) with three. With more points, the first and the last segment are what the problem says, and those between are
+//! cubics; what the four points leave open is settled so that four points are no special case, [`Problem`] says how. Each
+//! coordinate is planned by itself, on one clock.
 
 mod fastest;
 mod four;
@@ -15,7 +15,7 @@ use crate::extremes::Quantity;
 use crate::motion::{Axis, Limits, Motion};
 use crate::profile::Profile;
 
-/// What the segments are and what is continuous, by the letters of the seed.
+/// What the segments are and what is continuous, by the letters of the printed derivation.
 ///
 /// Positions are continuous in all problems, and the waypoints are met exactly. With more than four points, all
 /// segments between the first and the last are cubics with continuous velocity and acceleration where they meet each
@@ -27,8 +27,8 @@ pub enum Problem {
     /// (b) Quadratic, linear, quadratic: the velocity is continuous.
     ///
     /// With more points, the segments between are the natural cubic spline, without acceleration at its two ends;
-    /// between two points that is the linear segment of the seed. The acceleration jumps at the second and the last but
-    /// one point.
+    /// between two points that is the linear segment of the printed derivation. The acceleration jumps at the second and
+    /// the last but one point.
     QuadraticLinearQuadratic,
     /// (c) Quadratic, cubic, quadratic: the velocity is continuous, and zero at both ends.
     ///
@@ -54,7 +54,7 @@ impl Problem {
         Self::QuarticCubicQuarticAtRest,
     ];
 
-    /// The seed's letter.
+    /// The printed derivation's letter.
     #[must_use]
     pub const fn letter(self) -> char {
         match self {
@@ -67,7 +67,7 @@ impl Problem {
         }
     }
 
-    /// By the seed's letter.
+    /// By the printed derivation's letter.
     #[must_use]
     pub fn of_letter(letter: char) -> Option<Self> {
         Self::ALL.into_iter().find(|problem| problem.letter() == letter)

@@ -1,6 +1,6 @@
 //! Rule `compensated`: what may cancel and cannot be rewritten is evaluated in double-double.
 
-use super::{differences_first, wide};
+use super::{differences_first, double_double};
 use crate::algebra::Polynomial;
 use crate::field::{Sign, TowerError};
 use crate::program::Node;
@@ -14,7 +14,7 @@ pub const RULE: Rule = Rule {
     condition: "p is a polynomial whose operands are exact: inputs, or values that define the problem",
 };
 
-/// The polynomial in double-double; the slice is positive where the domain makes it so.
+/// The polynomial in double-double; the compensated expression is positive where the domain makes it so.
 ///
 /// # Errors
 /// When the tower has no room left.
@@ -23,12 +23,12 @@ pub fn steps(builder: &mut Builder, polynomial: &Polynomial) -> Result<Node, Tow
     let turned = sign.is(Sign::NONPOSITIVE);
     let (polynomial, sign) = if turned { (&polynomial.negated(), -sign) } else { (polynomial, sign) };
     let grouped = differences_first::group(builder, polynomial)?;
-    let (content, wide) = wide::polynomial(builder, &grouped)?;
-    let slice = builder.graph.compensated(wide, sign);
-    builder.mark(&RULE, slice);
+    let (content, expression) = double_double::polynomial(builder, &grouped)?;
+    let expression = builder.graph.compensated(expression, sign);
+    builder.mark(&RULE, expression);
     if grouped != *polynomial {
-        builder.mark(&differences_first::RULE, slice);
+        builder.mark(&differences_first::RULE, expression);
     }
     let content = builder.graph.constant(&if turned { -content } else { content });
-    Ok(builder.graph.mul(content, slice))
+    Ok(builder.graph.mul(content, expression))
 }

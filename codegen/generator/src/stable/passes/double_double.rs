@@ -1,4 +1,4 @@
-//! Rule `double-double`: where slices leave too many roundings, every step is taken in double-double.
+//! Rule `double-double`: where compensated expressions leave too many roundings, every step is taken in double-double.
 
 use super::Pass;
 use crate::stable::candidate::Candidate;

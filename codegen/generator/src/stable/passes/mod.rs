@@ -2,9 +2,9 @@
 
 pub mod distributed;
 pub mod double_double;
-pub mod gathered;
+pub mod fused;
 pub mod one_reciprocal;
-mod slices;
+mod products;
 
 use super::candidate::Candidate;
 use crate::program::{Graph, Node};

@@ -1,9 +1,9 @@
 //! Rule `one-reciprocal`: quotients whose denominators have factors in common share one division.
 
 use super::Pass;
-use super::slices::{fits, in_order, in_steps};
+use super::products::{fits, in_order, in_steps};
 use crate::field::Sign;
-use crate::program::{Graph, Node, Op, Wide};
+use crate::program::{CompensatedExpr, Graph, Node, Op};
 use crate::stable::candidate::Candidate;
 use crate::stable::rule::Rule;
 use num_rational::BigRational;
@@ -19,28 +19,28 @@ pub const RULE: Rule = Rule {
 
 /// A quotient of polynomials: the numerator, and the factors of the denominator with their powers.
 struct Quotient {
-    numerator: Wide,
+    numerator: CompensatedExpr,
     denominator: Factors,
     sign: Sign,
 }
 
 /// Factors in the order in which they are met, and their powers.
 #[derive(Clone, Default)]
-struct Factors(Vec<(Wide, usize)>);
+struct Factors(Vec<(CompensatedExpr, usize)>);
 
 /// How a product is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Products {
-    /// As a slice, which takes one rounding.
-    Slices,
+    /// As a compensated expression, which takes one rounding.
+    Compensated,
     /// In steps, for a program in double-double, whose roundings do not count.
     Steps,
 }
 
 impl Products {
-    fn make(self, graph: &mut Graph, product: Wide) -> Node {
+    fn make(self, graph: &mut Graph, product: CompensatedExpr) -> Node {
         match self {
-            Self::Slices => in_order(graph, product, Sign::ANY).1,
+            Self::Compensated => in_order(graph, product, Sign::ANY).1,
             Self::Steps => in_steps(graph, product),
         }
     }
@@ -92,7 +92,8 @@ impl Quotient {
             }
             rest.0.push((factor.clone(), if needed > *power { 2 * power } else { *power } - needed));
         }
-        let scaled = rest.product().into_iter().fold(self.numerator.clone(), |a, b| Wide::Mul(a.into(), b.into()));
+        let scaled =
+            rest.product().into_iter().fold(self.numerator.clone(), |a, b| CompensatedExpr::Mul(a.into(), b.into()));
         if !std::iter::once(&scaled).chain(inverses.iter().flatten()).all(fits) {
             return None;
         }
@@ -122,16 +123,20 @@ fn quotient(graph: &Graph, node: Node) -> Option<Quotient> {
         }
         Op::Neg(inner) => {
             let quotient = quotient(graph, inner)?;
-            Some(Quotient { numerator: Wide::Neg(quotient.numerator.into()), sign: graph.sign(node), ..quotient })
+            Some(Quotient {
+                numerator: CompensatedExpr::Neg(quotient.numerator.into()),
+                sign: graph.sign(node),
+                ..quotient
+            })
         }
         _ => None,
     }
 }
 
 impl Factors {
-    fn insert(&mut self, wide: Wide) {
-        match wide {
-            Wide::Mul(a, b) => [a, b].into_iter().for_each(|factor| self.insert(*factor)),
+    fn insert(&mut self, expression: CompensatedExpr) {
+        match expression {
+            CompensatedExpr::Mul(a, b) => [a, b].into_iter().for_each(|factor| self.insert(*factor)),
             factor => match self.0.iter_mut().find(|(known, _)| *known == factor) {
                 Some((_, power)) => *power += 1,
                 None => self.0.push((factor, 1)),
@@ -139,7 +144,7 @@ impl Factors {
         }
     }
 
-    fn power(&self, factor: &Wide) -> usize {
+    fn power(&self, factor: &CompensatedExpr) -> usize {
         self.0.iter().find(|(known, _)| known == factor).map_or(0, |(_, power)| *power)
     }
 
@@ -152,13 +157,13 @@ impl Factors {
         }
     }
 
-    fn without(&self, other: &Wide) -> Self {
+    fn without(&self, other: &CompensatedExpr) -> Self {
         Self(self.0.iter().filter(|(factor, _)| factor != other).cloned().collect())
     }
 
     /// `None` of no factors.
-    fn product(&self) -> Option<Wide> {
+    fn product(&self) -> Option<CompensatedExpr> {
         let factors = self.0.iter().flat_map(|(factor, power)| std::iter::repeat_n(factor.clone(), *power));
-        factors.reduce(|a, b| Wide::Mul(a.into(), b.into()))
+        factors.reduce(|a, b| CompensatedExpr::Mul(a.into(), b.into()))
     }
 }

@@ -1,6 +1,6 @@
 //! The phase of solvers: roots of polynomials that have no closed form become steps that find them.
 
-pub mod falling_newton;
+pub mod monotone_newton;
 
 use super::builder::Builder;
 use crate::algebra::{Polynomial, Var};

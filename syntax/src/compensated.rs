@@ -1,0 +1,224 @@
+//! Compensated expressions, what `compensated!` and `residual!` take: which double-double operation each step is, and its exact terms.
+//!
+//! Interpreter and macro both read compensated expressions by these functions, so they cannot disagree.
+
+use closedform_arith::error_model::compensated;
+use closedform_arith::limits::{MAX_FACTORS, MAX_OPERANDS, MAX_TERMS};
+use closedform_arith::{Term, Terms};
+
+use crate::error;
+use crate::kernel::{BinaryOp, CompensatedExpr, Expr};
+
+/// A part of a compensated expression, or all of it.
+#[derive(Clone, Copy, Debug)]
+pub enum Part<'e> {
+    /// A literal or a name, or the negative of one: it counts as exact.
+    Operand(Operand<'e>),
+    /// A number in double-double.
+    Extended(Extended<'e>),
+}
+
+/// A literal or a name.
+#[derive(Clone, Copy, Debug)]
+pub struct Operand<'e> {
+    /// The literal or the name.
+    pub leaf: &'e Expr,
+    /// Whether its negative is meant.
+    pub negative: bool,
+}
+
+/// A number in double-double: a sum or a product.
+#[derive(Clone, Copy, Debug)]
+pub struct Extended<'e> {
+    op: BinaryOp,
+    left: &'e Expr,
+    right: &'e Expr,
+    /// Whether the negative of what the operation makes is meant.
+    pub negative: bool,
+}
+
+/// The operation that makes a number in double-double: the cheapest one that the kinds of its operands allow.
+#[derive(Clone, Copy, Debug)]
+pub enum Operation<'e> {
+    /// The sum of two operands, error-free.
+    TwoSum(Operand<'e>, Operand<'e>),
+    /// The product of two operands, error-free.
+    TwoProduct(Operand<'e>, Operand<'e>),
+    /// The sum of a number in double-double and an operand.
+    AddExact(Extended<'e>, Operand<'e>),
+    /// The sum of two numbers in double-double.
+    Add(Extended<'e>, Extended<'e>),
+    /// The product of a number in double-double and an operand.
+    MulExact(Extended<'e>, Operand<'e>),
+    /// The product of two numbers in double-double.
+    Mul(Extended<'e>, Extended<'e>),
+}
+
+impl<'e> Part<'e> {
+    /// What an expression is as a part of a compensated expression, or as all of it.
+    pub fn of(mut expr: &'e Expr) -> Self {
+        let mut negative = false;
+        while let Expr::Neg(inner) = expr {
+            (expr, negative) = (inner, !negative);
+        }
+        match expr {
+            Expr::Binary { op, left, right } => Part::Extended(Extended { op: *op, left, right, negative }),
+            leaf => Part::Operand(Operand { leaf, negative }),
+        }
+    }
+
+    fn negated(self) -> Self {
+        match self {
+            Part::Operand(operand) => Part::Operand(Operand { negative: !operand.negative, ..operand }),
+            Part::Extended(extended) => Part::Extended(Extended { negative: !extended.negative, ..extended }),
+        }
+    }
+}
+
+impl<'e> Extended<'e> {
+    /// What makes the number, but for its sign.
+    pub fn operation(self) -> Operation<'e> {
+        let (left, right) = (Part::of(self.left), Part::of(self.right));
+        match self.op {
+            BinaryOp::Mul => Operation::product(left, right),
+            BinaryOp::Sub => Operation::sum(left, right.negated()),
+            BinaryOp::Add | BinaryOp::Div => Operation::sum(left, right),
+        }
+    }
+}
+
+impl<'e> Operation<'e> {
+    fn sum(left: Part<'e>, right: Part<'e>) -> Self {
+        match (left, right) {
+            (Part::Operand(a), Part::Operand(b)) => Self::TwoSum(a, b),
+            (Part::Extended(extended), Part::Operand(exact)) | (Part::Operand(exact), Part::Extended(extended)) => {
+                Self::AddExact(extended, exact)
+            }
+            (Part::Extended(a), Part::Extended(b)) => Self::Add(a, b),
+        }
+    }
+
+    fn product(left: Part<'e>, right: Part<'e>) -> Self {
+        match (left, right) {
+            (Part::Operand(a), Part::Operand(b)) => Self::TwoProduct(a, b),
+            (Part::Extended(extended), Part::Operand(exact)) | (Part::Operand(exact), Part::Extended(extended)) => {
+                Self::MulExact(extended, exact)
+            }
+            (Part::Extended(a), Part::Extended(b)) => Self::Mul(a, b),
+        }
+    }
+}
+
+impl CompensatedExpr {
+    /// A compensated expression, and what its exact evaluation needs; its product of sums is expanded.
+    ///
+    /// # Errors
+    ///
+    /// When it has too many terms, factors or operands.
+    pub fn new(value: Expr) -> Result<Self, &'static str> {
+        let mut operands = Vec::new();
+        let terms = expand(&value, &mut operands)?.iter().flat_map(Product::compact).collect();
+        let threshold = compensated::threshold(error(&value).units);
+        Ok(CompensatedExpr { value: value.into(), operands, terms, threshold })
+    }
+
+    /// Its terms, as products of its operands.
+    pub fn terms(&self) -> Terms<'_> {
+        Terms::of(&self.terms)
+    }
+
+    /// The compact form of its terms, for code that is to hold them.
+    pub fn compact_terms(&self) -> &[u8] {
+        &self.terms
+    }
+}
+
+/// A product of operands, by position.
+#[derive(Clone)]
+struct Product {
+    negative: bool,
+    factors: Vec<u8>,
+}
+
+impl Product {
+    fn compact(&self) -> Vec<u8> {
+        Term { negative: self.negative, factors: &self.factors }.compact().collect()
+    }
+}
+
+fn expand(expr: &Expr, operands: &mut Vec<Expr>) -> Result<Vec<Product>, &'static str> {
+    match expr {
+        Expr::Neg(inner) => Ok(turned(expand(inner, operands)?)),
+        Expr::Binary { op, left, right } => {
+            let (left, right) = (expand(left, operands)?, expand(right, operands)?);
+            match op {
+                BinaryOp::Mul => multiplied(&left, &right),
+                BinaryOp::Sub => Ok([left, turned(right)].concat()),
+                BinaryOp::Add | BinaryOp::Div => Ok([left, right].concat()),
+            }
+        }
+        leaf => {
+            let known = operands.iter().position(|operand| same_leaf(operand, leaf));
+            let position = known.unwrap_or(operands.len());
+            if known.is_none() {
+                operands.push(leaf.clone());
+            }
+            let position = u8::try_from(position).ok().filter(|position| usize::from(*position) < MAX_OPERANDS);
+            Ok(vec![Product { negative: false, factors: vec![position.ok_or(error::COMPENSATED_SIZE)?] }])
+        }
+    }
+}
+
+fn turned(mut sum: Vec<Product>) -> Vec<Product> {
+    sum.iter_mut().for_each(|product| product.negative = !product.negative);
+    sum
+}
+
+fn multiplied(left: &[Product], right: &[Product]) -> Result<Vec<Product>, &'static str> {
+    let pairs = left.iter().flat_map(|a| right.iter().map(move |b| (a, b)));
+    let products: Vec<Product> = pairs
+        .take(MAX_TERMS + 1)
+        .map(|(a, b)| Product { negative: a.negative != b.negative, factors: [&a.factors[..], &b.factors].concat() })
+        .collect();
+    let fits = products.len() <= MAX_TERMS && products.iter().all(|product| product.factors.len() <= MAX_FACTORS);
+    if fits { Ok(products) } else { Err(error::COMPENSATED_SIZE) }
+}
+
+fn same_leaf(a: &Expr, b: &Expr) -> bool {
+    match (a, b) {
+        (Expr::Name(a), Expr::Name(b)) => a.slot == b.slot,
+        (Expr::Literal { value: a, .. }, Expr::Literal { value: b, .. }) => a.to_bits() == b.to_bits(),
+        _ => false,
+    }
+}
+
+/// What is known of the error of a part of a compensated expression.
+struct PartError {
+    /// Whether it is an operand.
+    exact: bool,
+    /// The n of: its error is at most n 2^-106 times the sum of the magnitudes of its terms.
+    units: f64,
+}
+
+/// Counts what the operations of a compensated expression add, by the error model.
+fn error(expr: &Expr) -> PartError {
+    let extended = |units| PartError { exact: false, units };
+    match expr {
+        Expr::Neg(inner) => error(inner),
+        Expr::Binary { op, left, right } => {
+            let (left, right) = (error(left), error(right));
+            let (larger, both) = (left.units.max(right.units), left.units + right.units);
+            match (op, left.exact, right.exact) {
+                (BinaryOp::Mul, true, true) => extended(compensated::PRODUCT_OF_OPERANDS),
+                (BinaryOp::Mul, false, false) => extended(both + compensated::PRODUCT),
+                (BinaryOp::Mul, _, _) => extended(both + compensated::PRODUCT_WITH_OPERAND),
+                (_, true, true) => extended(compensated::SUM_OF_OPERANDS),
+                (_, false, false) => extended(larger + compensated::SUM),
+                (_, _, _) => extended(larger + compensated::SUM_WITH_OPERAND),
+            }
+        }
+        Expr::Literal { .. } | Expr::Name(_) => PartError { exact: true, units: 0.0 },
+        // no part of a compensated expression: of anything else nothing is known
+        _ => extended(f64::INFINITY),
+    }
+}
