@@ -26,6 +26,9 @@ pub struct Args {
     /// that this command was built from, as a relative path]
     #[arg(long, value_name = "WHERE")]
     runtime: Option<Runtime>,
+    /// Refuse a worksheet of which anything would be passed over, instead of naming it and going on
+    #[arg(long, requires = "input")]
+    strict: bool,
     /// A row for every kernel, not one a family
     #[arg(long)]
     all: bool,
@@ -80,7 +83,7 @@ fn whole(args: &Args, project: &Project) -> miette::Result<()> {
 
 fn own_crate(args: &Args, input: &Path, out: &Path, project: &Project) -> miette::Result<()> {
     own_crate::check(out)?;
-    let generated = worker::run(&Source::Worksheet(input.to_owned()))?;
+    let generated = worker::run_sheet(input, args.strict)?;
     let draft = Draft::new(&generated)?;
     let rows = ledger::rows(&out.join("records"), &draft.catalogue()?, args.points)?;
     report(&generated.kernels, &rows, true)?;

@@ -94,7 +94,7 @@ impl Run {
         for statement in std::mem::take(&mut self.statements) {
             self.statement(&statement.expression);
         }
-        self.harvest();
+        self.harvest(&[]);
         self.reading.inlined = self.evaluator.used;
         self.reading.formulas.sort_by_key(|formula| formula.span.start);
         self.reading
@@ -111,8 +111,8 @@ impl Run {
             }
             Err(Stop::Return(value)) => value,
         };
-        if loses(&statement) {
-            self.harvest();
+        if let Some(lost) = lost(&statement) {
+            self.harvest(&lost);
         }
         self.note_definitions(&statement);
         self.evaluator.rest();
@@ -126,7 +126,7 @@ impl Run {
                 if passed_over(&statement).is_none() && definitions(&statement).is_empty() {
                     self.reading.passed.push((because.what.clone(), statement.span.clone()));
                 }
-                Some(Binding::Unknown(because))
+                Some(Binding::Unknown(because.into()))
             }
         };
     }
@@ -147,20 +147,21 @@ impl Run {
         }
     }
 
-    /// The formulas of all names that have none yet, as things stand.
-    fn harvest(&mut self) {
+    /// The formulas of names that have none yet, as things stand; of all of them if none is named.
+    fn harvest(&mut self, lost: &[String]) {
         let defined = self.defined.clone();
         for (at, (name, kind, span)) in defined.into_iter().enumerate() {
+            if !lost.is_empty() && !lost.contains(&name) {
+                continue;
+            }
             if !self.made.insert(at) {
                 continue;
             }
             self.evaluator.rest();
-            let before = self.evaluator.state.clone();
             let outcome = match kind {
                 Kind::Function => formula::of_function(&name, &mut self.evaluator),
                 Kind::Variable => formula::of_variable(&name, &span, &mut self.evaluator),
             };
-            self.evaluator.state = before;
             match outcome {
                 Outcome::Formula(formula) => self.reading.formulas.push(formula),
                 Outcome::Constant => self.reading.constants.push(name),
@@ -170,13 +171,18 @@ impl Run {
     }
 }
 
-/// Whether names lose what they stand for in a statement, whose formulas must be made before.
-fn loses(statement: &Expr) -> bool {
-    tree::any(statement, &|part| {
-        part.as_call().is_some_and(|(name, _)| {
-            ["kill", "remvalue", "remfunction"].contains(&name) || words::is_loading(name) || words::is_sweeping(name)
-        })
-    })
+/// The names that lose what they stand for in a statement, whose formulas must be made before; an empty list for all.
+fn lost(statement: &Expr) -> Option<Vec<String>> {
+    let kills =
+        |part: &Expr| part.as_call().is_some_and(|(name, _)| ["kill", "remvalue", "remfunction"].contains(&name));
+    if let Some((_, names)) = statement.as_call().filter(|_| kills(statement)) {
+        let names: Option<Vec<&str>> = names.iter().map(Expr::as_symbol).collect();
+        let each = names.filter(|names| !names.iter().any(|name| ["all", "values", "functions"].contains(name)));
+        return Some(each.unwrap_or_default().into_iter().map(str::to_owned).collect());
+    }
+    let loads =
+        |part: &Expr| part.as_call().is_some_and(|(name, _)| words::is_loading(name) || words::is_sweeping(name));
+    tree::any(statement, &|part| kills(part) || loads(part)).then(Vec::new)
 }
 
 /// The names that a statement defines by itself.
@@ -193,6 +199,7 @@ fn definitions(statement: &Expr) -> Vec<(String, Kind)> {
             _ => Vec::new(),
         },
         ExprKind::Sequence(items) => items.iter().flat_map(definitions).collect(),
+        ExprKind::Ev { expression, .. } => definitions(expression),
         _ => Vec::new(),
     }
 }

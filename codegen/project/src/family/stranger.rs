@@ -2,6 +2,7 @@
 
 mod judged;
 mod mistake;
+mod summary;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -11,8 +12,9 @@ use super::super::domain::Domain;
 use super::super::{source, worksheet};
 use super::{Family, FamilyError, Paths};
 use crate::worksheet::Formula;
-use judged::{Judged, assumptions_of};
+use judged::{Judged, Sound, assumptions_of};
 pub use mistake::{WorksheetError, WorksheetMistake};
+pub use summary::Summary;
 
 /// What of a worksheet can become kernels.
 #[derive(Debug)]
@@ -21,6 +23,8 @@ pub struct Sheet {
     pub family: Family,
     /// What is wrong with the others, if there are any.
     pub error: Option<WorksheetError>,
+    /// What was taken, and what was not.
+    pub summary: Summary,
 }
 
 impl Sheet {
@@ -42,18 +46,23 @@ pub(super) fn load(path: &Path) -> Result<Sheet, FamilyError> {
     };
     let contract = match contract {
         Some(contract) if paths.reference.exists() => {
-            return Ok(Sheet { family: Family::derived(&name, contract, paths)?, error: None });
+            return Ok(Sheet {
+                family: Family::derived(&name, contract, paths)?,
+                error: None,
+                summary: Summary::default(),
+            });
         }
         contract => contract,
     };
     let text = source::read(path, "name a Maxima worksheet: a text in UTF-8 of definitions f(x,y):=..$")?;
     let judged = Judged::new(&text, files_beside(path, &text));
     let mut contract = contract.unwrap_or_else(|| contract_of(&file_name(path), &judged.reading.formulas));
-    let ((kernels, references), mistakes) = judged.against(&contract);
+    let (sound, mistakes) = judged.against(&contract);
+    let Sound { kernels, references, summary } = sound;
     contract.kernels = kernels;
     let error = (!mistakes.is_empty()).then(|| WorksheetError::new(path, &text, mistakes));
     let places = source::places(path, &text, references.iter().map(|reference| reference.span.start));
-    Ok(Sheet { family: Family { name, contract, references, places, paths }, error })
+    Ok(Sheet { family: Family { name, contract, references, places, paths }, error, summary })
 }
 
 /// The texts of worksheets beside this one, by the names under which it mentions them.

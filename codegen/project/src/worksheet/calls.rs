@@ -226,8 +226,17 @@ impl Evaluator {
             }
         }
         let (names, values): (Vec<String>, Vec<Expr>) = equations.into_iter().unzip();
-        let once = self.bound(&names, values.clone(), inner)?;
-        self.bound(&names, values, &once)
+        if let ExprKind::Binary { operator: BinaryOperator::Assign, left, right } = &inner.kind {
+            let value = self.twice(&names, &values, right);
+            return self.assign(left, value, &inner.span);
+        }
+        self.twice(&names, &values, inner)
+    }
+
+    /// The value of the value of an expression, with values for some names.
+    fn twice(&mut self, names: &[String], values: &[Expr], inner: &Expr) -> Evaluated {
+        let once = self.bound(names, values.to_vec(), inner)?;
+        self.bound(names, values.to_vec(), &once)
     }
 
     fn option(&mut self, option: &Expr, equations: &mut Vec<(String, Expr)>) -> Evaluated<()> {

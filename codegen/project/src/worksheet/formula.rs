@@ -74,7 +74,10 @@ pub(super) fn of_function(name: &str, evaluator: &mut Evaluator) -> Outcome {
     };
     let arguments = |span: &Range<usize>| parameters.iter().map(|name| marked(name, span)).collect::<Vec<_>>();
     let arguments = arguments(&function.span);
+    // what a call changes besides is nobody else's
+    let before = evaluator.state.clone();
     let value = evaluator.apply(name, &function, arguments, &function.span);
+    evaluator.state = before;
     outcome(name, parameters, value, &function.span, &evaluator.state)
 }
 
@@ -82,11 +85,13 @@ pub(super) fn of_function(name: &str, evaluator: &mut Evaluator) -> Outcome {
 pub(super) fn of_variable(name: &str, span: &Range<usize>, evaluator: &mut Evaluator) -> Outcome {
     match evaluator.state.variables.get(name).cloned() {
         None => Outcome::Constant,
-        Some(Binding::Unknown(because)) => Outcome::Refused(because),
+        Some(Binding::Unknown(because)) => Outcome::Refused((*because).clone()),
         Some(Binding::Value(value)) => match as_lambda(&value) {
             Some(parameters) => {
                 let arguments = parameters.iter().map(|name| marked(name, span)).collect();
+                let before = evaluator.state.clone();
                 let found = evaluator.call_value(&value, arguments, span);
+                evaluator.state = before;
                 outcome(name, parameters, found, span, &evaluator.state)
             }
             None if is_word(&value) => Outcome::Constant,
@@ -145,7 +150,9 @@ fn formula(
     let conditions: Vec<Expr> =
         conditions.iter().map(|condition| own_names(name, condition, &parameters, span)).collect::<Result<_, _>>()?;
     let mut inputs = parameters.clone();
-    for free in names(&value).into_iter().chain(conditions.iter().flat_map(names)) {
+    let results = results(name, &value)?;
+    let bodies = results.iter().map(|(_, body)| body);
+    for free in bodies.chain(&conditions).flat_map(names) {
         if is_input(&free) && !inputs.contains(&free) && !is_root_variable(&value, &free) {
             inputs.push(free);
         }
@@ -155,7 +162,6 @@ fn formula(
         !named.is_empty() && named.iter().all(|name| inputs.contains(name))
     };
     let assumed = state.facts.iter().filter(about_inputs).cloned().collect();
-    let results = results(name, &value)?;
     Ok(Formula {
         name: name.to_owned(),
         parameters: parameters.len(),

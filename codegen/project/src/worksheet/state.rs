@@ -49,7 +49,7 @@ pub(super) enum Binding {
     /// A value.
     Value(Rc<Expr>),
     /// Something that only Maxima knows.
-    Unknown(Refusal),
+    Unknown(Rc<Refusal>),
 }
 
 /// A function of the worksheet.
@@ -102,11 +102,12 @@ impl State {
 
     /// From here on the value of a name is not known.
     pub(super) fn forget_value(&mut self, name: &str, because: &Refusal) {
-        self.variables.insert(name.to_owned(), Binding::Unknown(because.clone()));
+        let unknown = Binding::Unknown(Rc::new(because.clone()));
         let elements = format!("{name}[");
         for (_, binding) in self.variables.iter_mut().filter(|(element, _)| element.starts_with(&elements)) {
-            *binding = Binding::Unknown(because.clone());
+            *binding = unknown.clone();
         }
+        self.variables.insert(name.to_owned(), unknown);
     }
 
     /// From here on nothing is known of a function.

@@ -6,6 +6,7 @@ use closedform_maxima::Definition;
 
 use super::super::reference::{self, ReferenceMistake};
 use super::mistake::WorksheetMistake;
+use super::summary::{Summary, summary};
 use crate::contract::{Contract, KernelContract};
 use crate::domain::Condition;
 use crate::worksheet::{self, Formula, Reading, spelt};
@@ -13,11 +14,17 @@ use crate::worksheet::{self, Formula, Reading, spelt};
 /// A worksheet with its formulas, everything put in.
 pub(super) struct Judged {
     pub(super) reading: Reading,
+    text: String,
     mistakes: Vec<WorksheetMistake>,
 }
 
 /// Kernels with their reference expressions.
-pub(super) type Sound = (Vec<KernelContract>, Vec<Definition>);
+#[derive(Default)]
+pub(super) struct Sound {
+    pub(super) kernels: Vec<KernelContract>,
+    pub(super) references: Vec<Definition>,
+    pub(super) summary: Summary,
+}
 
 /// Conditions as people read them and in exact form.
 pub(super) type Conditions = Vec<(String, Condition)>;
@@ -31,7 +38,7 @@ impl Judged {
         if mistakes.is_empty() && reading.formulas.is_empty() {
             mistakes.push(WorksheetMistake::Nothing);
         }
-        Self { reading, mistakes }
+        Self { reading, text: text.to_owned(), mistakes }
     }
 
     /// The kernels of a contract that can be made, and all mistakes of the worksheet in the order of its text.
@@ -40,13 +47,34 @@ impl Judged {
         let mut unfit = Vec::new();
         for kernel in &contract.kernels {
             if let Some((kernel, references)) = self.references(kernel, &mut unfit) {
-                sound.0.push(kernel);
-                sound.1.extend(references);
+                sound.kernels.push(kernel);
+                sound.references.extend(references);
             }
         }
+        sound.summary = summary(&self.text, &self.reading, &sound.kernels, &unfit);
+        unfit.retain(|mistake| !self.follows(mistake));
         let unfit = reference::first_of_each(unfit).into_iter().map(WorksheetMistake::from);
         self.mistakes.extend(unfit);
         (sound, in_order(self.mistakes))
+    }
+
+    /// Whether a mistake may be none once others are corrected: what was not read defines the function.
+    fn follows(&self, mistake: &ReferenceMistake) -> bool {
+        match mistake {
+            ReferenceMistake::UnknownFunction { name, .. } => self.seems_defined(name),
+            ReferenceMistake::Missing { worksheet, .. } => self.seems_defined(worksheet),
+            _ => false,
+        }
+    }
+
+    /// Whether the text has something like `name(x):=` in it.
+    fn seems_defined(&self, name: &str) -> bool {
+        self.text.match_indices(name).any(|(at, _)| {
+            let stands_alone = !self.text[..at].ends_with(|letter: char| letter.is_alphanumeric() || letter == '_');
+            let head = self.text[at + name.len()..].trim_start().strip_prefix('(');
+            let after = head.and_then(|rest| rest.split_once(')')).map(|(_, after)| after.trim_start());
+            stands_alone && after.is_some_and(|after| after.starts_with(":="))
+        })
     }
 
     /// A kernel with its reference expressions, if it has them all and nothing is wrong with them.

@@ -19,6 +19,7 @@ pub struct WorksheetError {
     pub path: std::path::PathBuf,
     /// How much is wrong.
     count: String,
+    of_text: bool,
     /// Its text.
     #[source_code]
     pub text: Text,
@@ -56,16 +57,22 @@ pub enum WorksheetMistake {
         cause: Option<SourceSpan>,
     },
     /// Nothing at all.
-    #[error("the worksheet defines no function")]
-    #[diagnostic(help("define one, e.g. f(x,y):=sqrt(x^2+y^2)$"))]
+    #[error("the worksheet has no formula")]
+    #[diagnostic(help("write one, such as f(x,y):=sqrt(x^2+y^2)$ or d: sqrt(x^2+y^2)$"))]
     Nothing,
 }
 
 impl WorksheetError {
+    /// Whether the text is no Maxima, so that nothing can be said of it.
+    pub fn is_of_text(&self) -> bool {
+        self.of_text
+    }
+
     pub(super) fn new(path: &Path, text: &str, mistakes: Vec<WorksheetMistake>) -> Self {
         let count = source::count(mistakes.len());
+        let of_text = mistakes.iter().any(|mistake| matches!(mistake, WorksheetMistake::Text(_)));
         let mistakes = mistakes.into_iter().take(source::SHOWN).collect();
-        Self { path: path.to_owned(), count, text: source::named(path, text), mistakes }
+        Self { path: path.to_owned(), count, of_text, text: source::named(path, text), mistakes }
     }
 }
 
