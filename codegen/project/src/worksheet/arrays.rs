@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, print};
 
-use super::evaluate::{Evaluator, elsewhere, key};
+use super::evaluate::{Evaluator, PARAMETER, elsewhere, key};
 use super::state::{Binding, Evaluated, Refusal};
 use super::tree::{self, binary, call, list, rows, small, symbol};
 
@@ -50,13 +50,20 @@ impl Evaluator {
             let array = self.value(array)?;
             return item(&array, &indices, span).map_err(Into::into);
         };
-        match self.state.variables.get(name).cloned() {
+        let mut name = name.to_owned();
+        match self.state.variables.get(&name).cloned() {
             Some(Binding::Unknown(because)) => return Err(elsewhere(&because, span).into()),
-            Some(Binding::Value(array)) if array.as_symbol().is_none() => {
-                return item(&array, &indices, span).map_err(Into::into);
-            }
-            _ => {}
+            Some(Binding::Value(array)) => match array.as_symbol() {
+                Some(parameter) if parameter.starts_with(PARAMETER) => {
+                    let what = format!("the parameter `{name}` is a list or an array");
+                    return Err(Refusal::new(what, "give each of its items a parameter", span).into());
+                }
+                Some(other) => other.clone_into(&mut name),
+                None => return item(&array, &indices, span).map_err(Into::into),
+            },
+            None => {}
         }
+        let name = name.as_str();
         match self.state.variables.get(&key(name, &indices)).cloned() {
             Some(Binding::Value(value)) => Ok((*value).clone()),
             Some(Binding::Unknown(because)) => Err(elsewhere(&because, span).into()),

@@ -354,8 +354,8 @@ fn substituted(equations: &Expr, value: &Expr, in_turn: bool, span: &Range<usize
 }
 
 /// What to do where Maxima must compute.
-pub(crate) const COMPUTE: &str =
-    "`closedform derive` with the name of this file runs it in Maxima, and makes formulas of what it gives";
+pub(crate) const COMPUTE: &str = "a worksheet that computes needs Maxima: write a contract NAME.toml beside it, run `closedform derive \
+                                  --folder DIR NAME`, and then this command again; book/src/contract.md shows a contract";
 
 fn is_free(name: &str) -> bool {
     !name.starts_with([super::evaluate::PARAMETER, super::evaluate::ROOT, '%'])

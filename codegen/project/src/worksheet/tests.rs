@@ -101,6 +101,8 @@ fn lists_and_matrices_are_several_results() {
 fn subscripts_become_names() {
     assert_eq!(last("y: x[1]^2+x[2]$"), "y(x_1,x_2) = x_1^2+x_2");
     assert_eq!(last("x_1: 3$ y: x[1]+x_1$"), "y(x_1_) = x_1_+3");
+    assert_eq!(last("a: b$ y: a[1]^2$"), "y(b_1) = b_1^2");
+    assert!(refused("f(v) := v[1]+v[2]$")[0].contains("the parameter `v` is a list"));
     assert_eq!(last("a[0]: 5$ y: a[0]*x$"), "y(x) = 5*x");
     assert_eq!(last("l: [1,2]$ l[1]: b$ y: l[1]+x$"), "y(b,x) = b+x");
     assert_eq!(formulas("l: [1,2]$ k: l$ k[1]: b$ y: l[1]+x$"), [""; 0], "both names stand for one list");
