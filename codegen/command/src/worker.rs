@@ -188,7 +188,7 @@ impl Source {
     fn check(&self) -> Result<Option<WorksheetError>, FamilyError> {
         match self {
             Self::Worksheet(worksheet) => match Family::sheet(worksheet)? {
-                Sheet { family, error: Some(error) } if family.contract.kernels.is_empty() => Err(error.into()),
+                Sheet { family, error: Some(error), .. } if family.contract.kernels.is_empty() => Err(error.into()),
                 Sheet { error, .. } => Ok(error),
             },
             Self::Folder(folder) | Self::Rederived { folder, .. } => families(folder).map(|_| None),
