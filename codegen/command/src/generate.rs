@@ -34,6 +34,9 @@ pub struct Args {
     /// Again at every change of a worksheet or contract, which Maxima derives first where it has to, until Ctrl-C
     #[arg(long)]
     watch: bool,
+    /// Refuse a worksheet of which anything would be passed over, instead of naming it and going on
+    #[arg(long, requires = "input")]
+    strict: bool,
     /// A row for every kernel, not one a family
     #[arg(long)]
     all: bool,
@@ -108,7 +111,7 @@ fn whole(args: &Args, project: &Project) -> miette::Result<()> {
 
 fn own_crate(args: &Args, input: &Path, out: &Path, project: &Project) -> miette::Result<()> {
     own_crate::check(out)?;
-    let generated = worker::run(&Source::Worksheet(input.to_owned()))?;
+    let generated = worker::run_sheet(input, args.strict)?;
     let draft = Draft::new(&generated)?;
     let rows = ledger::rows(&out.join("records"), &draft.catalogue()?, args.points)?;
     output::tell(&summary::each_kernel(&generated.kernels, &rows, &[]))?;

@@ -54,6 +54,13 @@ pub enum WorkerError {
         /// How many kernels can be made.
         fine: usize,
     },
+    /// Some statements of a worksheet are passed over, which is not wanted.
+    #[error("nothing was generated: {passed_over} {} of the worksheet would be passed over", if *passed_over == 1 { "statement" } else { "statements" })]
+    #[diagnostic(help("take out what is named above, or leave out --strict"))]
+    PassedOver {
+        /// How many.
+        passed_over: usize,
+    },
     /// Symbolica runs elsewhere.
     #[error("Symbolica is in use on this machine by a program that does not share the lock of closedform")]
     #[diagnostic(help(
@@ -113,7 +120,33 @@ const PAUSE: Duration = Duration::from_secs(1);
 /// # Errors
 /// When the source is wrong, it is not our turn in time, or that process fails; it has then said why on standard error.
 pub fn run(source: &Source) -> Result<Generated, WorkerError> {
-    let Some(refused) = source.check()? else { return made(source) };
+    made_of(source, source.check()?)
+}
+
+/// As [`run`], of a worksheet, of which every formula and statement that is passed over is named; with `strict` nothing
+/// may be passed over.
+///
+/// # Errors
+/// As of [`run`], and when nothing is left, or something is passed over that must not be.
+pub fn run_sheet(worksheet: &Path, strict: bool) -> Result<Generated, WorkerError> {
+    let source = Source::Worksheet(worksheet.to_owned());
+    let Sheet { family, error, summary } = Family::sheet(worksheet)?;
+    let nothing = family.contract.kernels.is_empty();
+    match error {
+        Some(error) if nothing => Err(FamilyError::from(error).into()),
+        Some(error) if strict || error.is_of_text() => made_of(&source, Some(error)),
+        _ => {
+            summary.lines.iter().for_each(|line| note(line));
+            match summary.passed_over {
+                passed_over @ 1.. if strict => Err(WorkerError::PassedOver { passed_over }),
+                _ => made(&source),
+            }
+        }
+    }
+}
+
+fn made_of(source: &Source, refused: Option<WorksheetError>) -> Result<Generated, WorkerError> {
+    let Some(refused) = refused else { return made(source) };
     // the other formulas are tried all the same, so that one run tells everything
     warn(&format!("{:?}", Report::new(refused)));
     Err(WorkerError::Refused { fine: made(source)?.kernels.len() })
@@ -155,7 +188,7 @@ impl Source {
     fn check(&self) -> Result<Option<WorksheetError>, FamilyError> {
         match self {
             Self::Worksheet(worksheet) => match Family::sheet(worksheet)? {
-                Sheet { family, error: Some(error) } if family.contract.kernels.is_empty() => Err(error.into()),
+                Sheet { family, error: Some(error), .. } if family.contract.kernels.is_empty() => Err(error.into()),
                 Sheet { error, .. } => Ok(error),
             },
             Self::Folder(folder) | Self::Rederived { folder, .. } => families(folder).map(|_| None),

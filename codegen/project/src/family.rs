@@ -11,7 +11,7 @@ use miette::Diagnostic;
 use thiserror::Error;
 
 pub use reference::{ReferenceError, ReferenceMistake};
-pub use stranger::{Sheet, WorksheetError, WorksheetMistake};
+pub use stranger::{Sheet, Summary, WorksheetError, WorksheetMistake};
 
 use super::contract::{self, Contract, ContractError, KernelContract, ResultContract};
 use super::source::{self, ReadError};

@@ -20,6 +20,7 @@ pub mod maxima_process;
 pub mod sample;
 pub mod source;
 mod statements;
+mod worksheet;
 
 pub use files::{WriteError, replaceable, write_all};
 pub use layout::{Project, ProjectError};

@@ -147,6 +147,18 @@ pub fn free_name(maxima: &str, is_free: impl Fn(&str) -> bool) -> String {
     std::iter::once(plain.clone()).chain(others).find(|name| is_free(name)).unwrap_or(plain)
 }
 
+/// The name of a struct for the results of a kernel, which is taken from then on.
+#[must_use]
+pub fn free_type_name(kernel: &str, taken: &mut std::collections::BTreeSet<String>) -> String {
+    let plain = super::check::camel_case(kernel);
+    let others = (2_u64..).map(|number| format!("{plain}{number}"));
+    let name = std::iter::once(plain.clone()).chain([format!("{plain}Values")]).chain(others);
+    let mut free = name.filter(|name| type_name(name).is_ok() && !taken.contains(name));
+    let name = free.next().unwrap_or(plain);
+    taken.insert(name.clone());
+    name
+}
+
 /// Checks the name of a struct.
 pub(super) fn type_name(name: &str) -> Result<(), RustNameError> {
     if !is_camel_case(name) {

@@ -121,6 +121,20 @@ pub enum ReferenceMistake {
 }
 
 impl ReferenceMistake {
+    /// The result that it is about.
+    pub(super) fn worksheet(&self) -> Option<&str> {
+        match self {
+            Self::Text(_) => None,
+            Self::Missing { worksheet, .. }
+            | Self::Extra { worksheet, .. }
+            | Self::Parameters { worksheet, .. }
+            | Self::UnknownVariable { worksheet, .. }
+            | Self::UnknownFunction { worksheet, .. }
+            | Self::Unsupported { worksheet, .. }
+            | Self::NotArithmetic { worksheet, .. } => Some(worksheet),
+        }
+    }
+
     /// Where it is, if it has a place.
     pub(super) fn span(&self) -> Option<SourceSpan> {
         match self {

@@ -1,19 +1,20 @@
 //! A worksheet that nobody wrote a contract for: its definitions are its reference expressions.
 
-mod inline;
 mod judged;
 mod mistake;
+mod summary;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use super::super::contract::{self, Contract, FamilyInfo, Input, KernelContract, ResultContract, TYPICAL};
 use super::super::domain::Domain;
-use super::super::source;
+use super::super::{source, worksheet};
 use super::{Family, FamilyError, Paths};
-use closedform_maxima::Definition;
-use judged::Judged;
+use crate::worksheet::Formula;
+use judged::{Judged, Sound, assumptions_of};
 pub use mistake::{WorksheetError, WorksheetMistake};
+pub use summary::Summary;
 
 /// What of a worksheet can become kernels.
 #[derive(Debug)]
@@ -22,6 +23,8 @@ pub struct Sheet {
     pub family: Family,
     /// What is wrong with the others, if there are any.
     pub error: Option<WorksheetError>,
+    /// What was taken, and what was not.
+    pub summary: Summary,
 }
 
 impl Sheet {
@@ -43,18 +46,44 @@ pub(super) fn load(path: &Path) -> Result<Sheet, FamilyError> {
     };
     let contract = match contract {
         Some(contract) if paths.reference.exists() => {
-            return Ok(Sheet { family: Family::derived(&name, contract, paths)?, error: None });
+            return Ok(Sheet {
+                family: Family::derived(&name, contract, paths)?,
+                error: None,
+                summary: Summary::default(),
+            });
         }
         contract => contract,
     };
     let text = source::read(path, "name a Maxima worksheet: a text in UTF-8 of definitions f(x,y):=..$")?;
-    let judged = Judged::new(&text);
-    let mut contract = contract.unwrap_or_else(|| contract_of(&file_name(path), &judged.definitions));
-    let ((kernels, references), mistakes) = judged.against(&contract);
+    let judged = Judged::new(&text, files_beside(path, &text));
+    let mut contract = contract.unwrap_or_else(|| contract_of(&file_name(path), &judged.reading.formulas));
+    let (sound, mistakes) = judged.against(&contract);
+    let Sound { kernels, references, summary } = sound;
     contract.kernels = kernels;
     let error = (!mistakes.is_empty()).then(|| WorksheetError::new(path, &text, mistakes));
     let places = source::places(path, &text, references.iter().map(|reference| reference.span.start));
-    Ok(Sheet { family: Family { name, contract, references, places, paths }, error })
+    Ok(Sheet { family: Family { name, contract, references, places, paths }, error, summary })
+}
+
+/// The texts of worksheets beside this one, by the names under which it mentions them.
+fn files_beside(path: &Path, text: &str) -> BTreeMap<String, String> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut found = BTreeMap::new();
+    let mut open = vec![text.to_owned()];
+    while let Some(text) = open.pop() {
+        for name in worksheet::loaded(&text) {
+            let stays = Path::new(&name).components().all(|part| matches!(part, std::path::Component::Normal(_)));
+            let candidates = [folder.join(&name), folder.join(format!("{name}.mac"))];
+            let file = candidates.iter().find(|file| stays && file.is_file() && *file != path);
+            if let Some(text) = file.and_then(|file| source::read(file, "").ok())
+                && !found.contains_key(&name)
+            {
+                open.push(text.clone());
+                found.insert(name, text);
+            }
+        }
+    }
+    found
 }
 
 fn file_name(path: &Path) -> String {
@@ -63,13 +92,15 @@ fn file_name(path: &Path) -> String {
 
 /// What can be promised without anybody's word: every definition is a kernel, every quantity without a unit, and digits
 /// go before time.
-fn contract_of(file: &str, definitions: &[Definition]) -> Contract {
+fn contract_of(file: &str, formulas: &[Formula]) -> Contract {
     let mut kernels: Vec<KernelContract> = Vec::new();
     let mut inputs: BTreeMap<String, Input> = BTreeMap::new();
     let (mut taken_kernels, mut taken_inputs) = (BTreeSet::new(), BTreeSet::new());
-    for definition in definitions {
-        kernels.push(kernel(definition, unused_name(&definition.name, &mut taken_kernels), file));
-        for parameter in &definition.parameters {
+    let mut taken_types = BTreeSet::new();
+    for formula in formulas {
+        let name = unused_name(&formula.name, &mut taken_kernels);
+        kernels.push(kernel(formula, name, file, &mut taken_types));
+        for parameter in &formula.inputs {
             let unused = || input(unused_name(parameter, &mut taken_inputs));
             inputs.entry(parameter.clone()).or_insert_with(unused);
         }
@@ -78,20 +109,28 @@ fn contract_of(file: &str, definitions: &[Definition]) -> Contract {
     Contract { family: FamilyInfo { title, source: String::new() }, inputs, kernels }
 }
 
-fn kernel(definition: &Definition, name: String, file: &str) -> KernelContract {
-    let result = ResultContract { name: name.clone(), worksheet: definition.name.clone(), unit: "1".to_owned() };
+fn kernel(formula: &Formula, name: String, file: &str, types: &mut BTreeSet<String>) -> KernelContract {
+    let several = formula.results.len() > 1;
+    let what = if formula.parameters > 0 { "function" } else { "formula" };
+    let mut fields = BTreeSet::new();
+    let mut result = |field: &str| ResultContract {
+        name: if several { unused_name(field, &mut fields) } else { name.clone() },
+        worksheet: formula.worksheet_name(field),
+        unit: "1".to_owned(),
+    };
+    let results = formula.results.iter().map(|(field, _)| result(field)).collect();
     KernelContract {
-        name,
-        doc: format!("The function {} of {file}.", definition.name),
+        doc: format!("The {what} {} of {file}.", formula.name),
         source: file.to_owned(),
-        inputs: definition.parameters.clone(),
-        domain: Domain::new(definition.parameters.clone(), Vec::new()),
+        inputs: formula.inputs.clone(),
+        domain: Domain::new(formula.inputs.clone(), assumptions_of(formula)),
         branch: None,
         few_roundings: true,
         one_division: false,
         edges: None,
-        returns: None,
-        results: vec![result],
+        returns: several.then(|| contract::free_type_name(&name, types)),
+        results,
+        name,
     }
 }
 

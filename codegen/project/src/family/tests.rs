@@ -120,9 +120,10 @@ fn a_contract_beside_a_stranger_is_used() {
 fn strangers_that_need_maxima_are_told_so() {
     has(
         &stranger("f(x):=x$ s: solve(x=1,x)$").unwrap_err(),
-        &["defines no function", "closedform derive", "only Maxima"],
+        &["`s` must be computed: it calls `solve`", "closedform derive", "my.mac:1:13"],
     );
-    has(&stranger("").unwrap_err(), &["the worksheet defines no function", "f(x,y):=sqrt"]);
+    has(&stranger("").unwrap_err(), &["the worksheet has no formula", "f(x,y):=sqrt"]);
+    has(&stranger("f():=1$ a: 2$ \"text\"$").unwrap_err(), &["the worksheet has no formula"]);
     has(&stranger("f(x):=").unwrap_err(), &["expected"]);
 }
 
@@ -132,11 +133,8 @@ fn strangers_that_are_no_closed_forms_are_pointed_at() {
     has(&cycle, &["call each other without end: g -> h -> g", "without recursion"]);
     has(&stranger("f(x):=f(x)$").unwrap_err(), &["f -> f"]);
     has(&stranger("f(x):=g(x,1)$ g(x):=x$").unwrap_err(), &["`g` takes 1 arguments, but is called with 2"]);
-    has(&stranger("f(x):=x+y$").unwrap_err(), &["`f` contains `y`"]);
-    has(&stranger("f():=1$").unwrap_err(), &["`f` has no parameters"]);
     has(&stranger("f(x,x):=x$").unwrap_err(), &["the parameter `x` twice"]);
     has(&stranger("f(x):=if x>0 then 1 else 2$").unwrap_err(), &["an `if`", "one function for each case"]);
-    has(&stranger("f(x):=x$ f(x):=2*x$").unwrap_err(), &["`f` is defined twice"]);
 }
 
 #[test]
@@ -173,7 +171,7 @@ fn constants_and_functions_that_are_not_known_yet_say_what_can_be_done() {
 /// The mistakes of a worksheet, each with the line that it points at, and the kernels that can be made all the same.
 fn sheet(text: &str) -> (Vec<usize>, Vec<String>, String) {
     let folder = folder(&[("my.mac", text)]);
-    let Sheet { family, error } = Family::sheet(&folder.path().join("my.mac")).unwrap();
+    let Sheet { family, error, .. } = Family::sheet(&folder.path().join("my.mac")).unwrap();
     let kernels = family.contract.kernels.iter().map(|kernel| kernel.name.clone()).collect();
     let said = error.map_or_else(String::new, |error| drawn(&error));
     let lines = said.split("my.mac:").skip(1).filter_map(|rest| rest.split(':').next()?.parse().ok()).collect();
@@ -195,9 +193,9 @@ fn every_mistake_of_a_worksheet_is_told_at_once() {
                 strange(x):=2\u{b7}x$\n\
                 fine(x):=good(x)/2$\n";
     let (lines, kernels, said) = sheet(text);
-    assert_eq!(lines, [2, 3, 4, 6, 6, 7, 8, 9, 11], "{said}");
-    assert_eq!(kernels, ["good", "fine"]);
-    has(&said, &["9 mistakes", "the exponent 1/5", "divides by zero"]);
+    assert_eq!(lines, [2, 6, 6, 7, 8, 9, 11], "{said}");
+    assert_eq!(kernels, ["good", "loose", "calls", "fine"]);
+    has(&said, &["7 mistakes", "the exponent 1/5", "divides by zero"]);
     let (_, kernels, said) = sheet("good(x):=x^2$ bad(x):=good(x$");
     assert_eq!(kernels, ["good"], "{said}");
     let (lines, kernels, said) = sheet("good(x):=x^2$ fine(x):=good(x)$");
@@ -208,7 +206,7 @@ fn every_mistake_of_a_worksheet_is_told_at_once() {
 fn a_kernel_is_whole_or_not_there() {
     let text = "v(x,tOut):=1/0+x$ r(x):=sqrt(x)$";
     let folder = folder(&[("family.toml", CONTRACT), ("family.mac", text)]);
-    let Sheet { family, error } = Family::sheet(&folder.path().join("family.mac")).unwrap();
+    let Sheet { family, error, .. } = Family::sheet(&folder.path().join("family.mac")).unwrap();
     let kernels: Vec<&str> = family.contract.kernels.iter().map(|kernel| kernel.name.as_str()).collect();
     assert_eq!((kernels, family.references.len()), (vec!["root"], 1));
     assert!(family.place("root").ends_with("family.mac:1:19"), "{}", family.place("root"));
@@ -217,13 +215,11 @@ fn a_kernel_is_whole_or_not_there() {
 
 #[test]
 fn one_cause_is_told_once() {
-    let computing = "a: 1$ b: 2$ s: solve(x=1,x)$ t: diff(x,x)$ kill(c)$ f(x):=x$";
-    let said = stranger(computing).unwrap_err();
-    assert_eq!(said.matches("help:").count(), 1, "{said}");
-    has(&stranger(computing).unwrap_err(), &["5 statements define no function"]);
-    let said = stranger("f(x):=sin(x)+sin(2*x)+y+y$ g(x):=sin(x)$").unwrap_err();
-    assert_eq!((said.matches("calls `sin`").count(), said.matches("contains `y`").count()), (1, 1), "{said}");
-    let many: String = (0..1000).map(|number| format!("f{number}(x):=x+y{number}$\n")).collect();
+    let said = stranger("f(x):=sin(x)+sin(2*x)$ g(x):=sin(x)$ h(y):=f(y)$").unwrap_err();
+    assert_eq!(said.matches("calls `sin`").count(), 1, "{said}");
+    let said = stranger("a: solve(x=1,x)$ f(y):=a*y$ g(y):=a+y$ h(x):=x$").unwrap_err();
+    assert_eq!(said.matches("calls `solve`").count(), 1, "{said}");
+    let many: String = (0..1000).map(|number| format!("f{number}(x):=x+sine{number}(x)$\n")).collect();
     let said = stranger(&many).unwrap_err();
     assert!(said.contains("1000 mistakes, of which the first 100 are shown") && said.len() < 60_000, "{said}");
 }

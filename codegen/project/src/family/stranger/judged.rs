@@ -1,46 +1,44 @@
-//! A worksheet judged: the definitions that kernels can be made of, and everything that is wrong with the others.
+//! A worksheet judged: the formulas that kernels can be made of, and everything that is wrong with the others.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use closedform_maxima::{Definition, Worksheet, defined_twice, readable_worksheet};
-use miette::SourceSpan;
+use closedform_maxima::Definition;
 
 use super::super::reference::{self, ReferenceMistake};
-use super::inline;
 use super::mistake::WorksheetMistake;
+use super::summary::{Summary, summary};
 use crate::contract::{Contract, KernelContract};
+use crate::domain::Condition;
+use crate::worksheet::{self, Formula, Reading, spelt};
 
-/// A worksheet whose definitions are put into each other.
-pub(super) struct Judged<'a> {
-    text: &'a str,
-    /// The definitions that have a closed form.
-    pub(super) definitions: Vec<Definition>,
-    /// The functions that other definitions have.
-    refused: BTreeSet<String>,
+/// A worksheet with its formulas, everything put in.
+pub(super) struct Judged {
+    pub(super) reading: Reading,
+    text: String,
     mistakes: Vec<WorksheetMistake>,
 }
 
 /// Kernels with their reference expressions.
-pub(super) type Sound = (Vec<KernelContract>, Vec<Definition>);
+#[derive(Default)]
+pub(super) struct Sound {
+    pub(super) kernels: Vec<KernelContract>,
+    pub(super) references: Vec<Definition>,
+    pub(super) summary: Summary,
+}
 
-impl<'a> Judged<'a> {
-    pub(super) fn new(text: &'a str) -> Self {
-        let (sheet, errors) = readable_worksheet(text);
-        let mut mistakes: Vec<WorksheetMistake> = errors.into_iter().map(Into::into).collect();
-        if mistakes.is_empty() && sheet.definitions.is_empty() && sheet.others.is_empty() {
+/// Conditions as people read them and in exact form.
+pub(super) type Conditions = Vec<(String, Condition)>;
+
+impl Judged {
+    /// `files` has the texts of other worksheets by the names under which this one may load them.
+    pub(super) fn new(text: &str, files: BTreeMap<String, String>) -> Self {
+        let mut reading = worksheet::read(text, files);
+        let mut mistakes: Vec<WorksheetMistake> = reading.errors.drain(..).map(Into::into).collect();
+        mistakes.extend(reading.refused.iter().map(|(name, because)| WorksheetMistake::refused(name, because)));
+        if mistakes.is_empty() && reading.formulas.is_empty() {
             mistakes.push(WorksheetMistake::Nothing);
         }
-        mistakes.extend(computing(&sheet));
-        let wrong = wrong_heads(&sheet.definitions);
-        let wrong_names: BTreeSet<String> = wrong.iter().map(|(name, _)| name.clone()).collect();
-        mistakes.extend(wrong.into_iter().map(|(_, mistake)| mistake));
-        let (mut definitions, endless) = inline::inline(&sheet.definitions);
-        mistakes.extend(endless);
-        definitions.retain(|definition| !wrong_names.contains(&definition.name));
-        let has_form = |name: &String| definitions.iter().any(|definition| definition.name == *name);
-        let refused = sheet.definitions.into_iter().map(|definition| definition.name).filter(|name| !has_form(name));
-        let refused = refused.collect();
-        Self { text, definitions, refused, mistakes }
+        Self { reading, text: text.to_owned(), mistakes }
     }
 
     /// The kernels of a contract that can be made, and all mistakes of the worksheet in the order of its text.
@@ -48,46 +46,23 @@ impl<'a> Judged<'a> {
         let mut sound = Sound::default();
         let mut unfit = Vec::new();
         for kernel in &contract.kernels {
-            if let Some(references) = self.references(kernel, &mut unfit) {
-                sound.0.push(kernel.clone());
-                sound.1.extend(references);
+            if let Some((kernel, references)) = self.references(kernel, &mut unfit) {
+                sound.kernels.push(kernel);
+                sound.references.extend(references);
             }
         }
-        let follows = |mistake: &ReferenceMistake| self.follows(mistake);
-        unfit.retain(|mistake| !follows(mistake));
+        sound.summary = summary(&self.text, &self.reading, &sound.kernels, &unfit);
+        unfit.retain(|mistake| !self.follows(mistake));
         let unfit = reference::first_of_each(unfit).into_iter().map(WorksheetMistake::from);
         self.mistakes.extend(unfit);
         (sound, in_order(self.mistakes))
     }
 
-    /// The reference expressions of a kernel, if it has them all and nothing is wrong with them.
-    fn references(&self, kernel: &KernelContract, unfit: &mut Vec<ReferenceMistake>) -> Option<Vec<Definition>> {
-        let mut references = Some(Vec::new());
-        for result in &kernel.results {
-            let definition = self.definitions.iter().find(|definition| definition.name == result.worksheet);
-            let mistakes = match definition {
-                Some(definition) => reference::mistakes_of(definition, &kernel.inputs),
-                None if self.refused.contains(&result.worksheet) => Vec::new(),
-                None => {
-                    vec![ReferenceMistake::Missing { worksheet: result.worksheet.clone(), kernel: kernel.name.clone() }]
-                }
-            };
-            references = references.zip(definition).filter(|_| mistakes.is_empty()).map(|(mut all, definition)| {
-                all.push(definition.clone());
-                all
-            });
-            unfit.extend(mistakes);
-        }
-        references
-    }
-
-    /// Whether a mistake may be none once others are corrected: a statement that was not run or not read defines the name.
+    /// Whether a mistake may be none once others are corrected: what was not read defines the function.
     fn follows(&self, mistake: &ReferenceMistake) -> bool {
-        let computes = self.mistakes.iter().any(|mistake| matches!(mistake, WorksheetMistake::Computes { .. }));
         match mistake {
-            ReferenceMistake::UnknownVariable { .. } => computes,
-            ReferenceMistake::UnknownFunction { name, .. } => computes || self.seems_defined(name),
-            ReferenceMistake::Missing { worksheet, .. } => computes || self.seems_defined(worksheet),
+            ReferenceMistake::UnknownFunction { name, .. } => self.seems_defined(name),
+            ReferenceMistake::Missing { worksheet, .. } => self.seems_defined(worksheet),
             _ => false,
         }
     }
@@ -101,34 +76,59 @@ impl<'a> Judged<'a> {
             stands_alone && after.is_some_and(|after| after.starts_with(":="))
         })
     }
+
+    /// A kernel with its reference expressions, if it has them all and nothing is wrong with them.
+    fn references(
+        &mut self,
+        kernel: &KernelContract,
+        unfit: &mut Vec<ReferenceMistake>,
+    ) -> Option<(KernelContract, Vec<Definition>)> {
+        let mut references = Some(Vec::new());
+        let mut kernel = kernel.clone();
+        for result in &kernel.results {
+            let formula =
+                self.reading.formulas.iter().find_map(|formula| Some((formula, formula.result(&result.worksheet)?)));
+            let Some((formula, body)) = formula else {
+                let refused = self.reading.refused.iter().any(|(name, _)| *name == result.worksheet);
+                let (worksheet, kernel) = (result.worksheet.clone(), kernel.name.clone());
+                unfit.extend((!refused).then_some(ReferenceMistake::Missing { worksheet, kernel }));
+                references = None;
+                continue;
+            };
+            let parameters = formula.inputs_as(&kernel.inputs);
+            let (name, span) = (result.worksheet.clone(), formula.span.clone());
+            let definition = Definition { name, parameters, body: body.clone(), span };
+            let mistakes = reference::mistakes_of(&definition, &kernel.inputs);
+            let conditions = conditions_of(formula, &kernel.inputs).unwrap_or_else(|mistake| {
+                self.mistakes.push(mistake);
+                references = None;
+                Vec::new()
+            });
+            kernel.domain = kernel.domain.clone().with_natural(conditions);
+            references = references.filter(|_| mistakes.is_empty()).map(|mut all: Vec<Definition>| {
+                all.push(definition);
+                all
+            });
+            unfit.extend(mistakes);
+        }
+        references.map(|references| (kernel, references))
+    }
 }
 
-fn computing(sheet: &Worksheet) -> Option<WorksheetMistake> {
-    let first = sheet.others.first()?;
-    Some(WorksheetMistake::Computes { statements: sheet.others.len(), span: first.expression.span.clone().into() })
+/// The conditions under which a formula is what its name stands for; all of them must be decided exactly.
+fn conditions_of(formula: &Formula, inputs: &[String]) -> Result<Conditions, WorksheetMistake> {
+    let exact = |condition: &closedform_maxima::Expr| {
+        let read = Condition::read(condition, inputs);
+        read.map(|read| (spelt(condition), read))
+            .map_err(|error| WorksheetMistake::condition(&formula.name, condition, &error))
+    };
+    formula.conditions.iter().map(exact).collect()
 }
 
-/// What is wrong with definitions besides their bodies, each with the function.
-fn wrong_heads(definitions: &[Definition]) -> Vec<(String, WorksheetMistake)> {
-    let twice = defined_twice(definitions).into_iter().filter_map(|error| match &error {
-        closedform_maxima::Error::DefinedTwice { name, .. } => Some((name.clone(), error.into())),
-        _ => None,
-    });
-    let parameters = definitions.iter().filter_map(|definition| {
-        let (name, span) = (definition.name.clone(), SourceSpan::from(definition.span.clone()));
-        let mistake = match repeated(&definition.parameters) {
-            _ if definition.parameters.is_empty() => WorksheetMistake::Constant { name, span },
-            Some(parameter) => WorksheetMistake::Parameter { name, parameter, span },
-            None => return None,
-        };
-        Some((definition.name.clone(), mistake))
-    });
-    twice.chain(parameters).collect()
-}
-
-fn repeated(names: &[String]) -> Option<String> {
-    let mut seen = BTreeSet::new();
-    names.iter().find(|name| !seen.insert(*name)).cloned()
+/// What the worksheet assumes of the inputs of a formula, so far as it can be decided exactly.
+pub(super) fn assumptions_of(formula: &Formula) -> Conditions {
+    let exact = |fact: &closedform_maxima::Expr| Some((spelt(fact), Condition::read(fact, &formula.inputs).ok()?));
+    formula.assumed.iter().filter_map(exact).collect()
 }
 
 /// The mistakes in the order of the text; what is put into several formulas is told once.

@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
+use closedform_maxima::Expr;
 use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
 use super::super::reference::ReferenceMistake;
+use crate::domain::ConditionError;
 use crate::source::{self, Text};
-
-/// The most nodes that calls may put into the formulas of a worksheet.
-pub(super) const SIZE_LIMIT: usize = 100_000;
+use crate::worksheet::Refusal;
 
 /// Why a worksheet is not a list of definitions that kernels can be made of.
 #[derive(Debug, Error, Diagnostic)]
@@ -19,6 +19,7 @@ pub struct WorksheetError {
     pub path: std::path::PathBuf,
     /// How much is wrong.
     count: String,
+    of_text: bool,
     /// Its text.
     #[source_code]
     pub text: Text,
@@ -38,109 +39,65 @@ pub enum WorksheetMistake {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Body(#[from] ReferenceMistake),
-    /// Statements that compute.
-    #[error("{}", computing(*statements))]
-    #[diagnostic(help(
-        "a worksheet that computes needs Maxima: write a contract NAME.toml beside it, run `closedform derive --folder DIR \
-         NAME`, and then this command again; book/src/contract.md shows a contract"
-    ))]
-    Computes {
-        /// How many.
-        statements: usize,
-        /// Where the first one is.
-        #[label("only Maxima can run this")]
+    /// A name whose formula cannot be known.
+    #[error("{what}")]
+    #[diagnostic(help("{remedy}"))]
+    Refused {
+        /// The name.
+        name: String,
+        /// What is wrong.
+        what: String,
+        /// What to do about it.
+        remedy: String,
+        /// Where it shows.
+        #[label("here")]
         span: SourceSpan,
+        /// Where it comes from, if that is elsewhere.
+        #[label("because of this")]
+        cause: Option<SourceSpan>,
     },
     /// Nothing at all.
-    #[error("the worksheet defines no function")]
-    #[diagnostic(help("define one, e.g. f(x,y):=sqrt(x^2+y^2)$"))]
+    #[error("the worksheet has no formula")]
+    #[diagnostic(help("write one, such as f(x,y):=sqrt(x^2+y^2)$ or d: sqrt(x^2+y^2)$"))]
     Nothing,
-    /// A function without parameters.
-    #[error("`{name}` has no parameters")]
-    #[diagnostic(help("a kernel needs an input; a constant needs no kernel"))]
-    Constant {
-        /// The function.
-        name: String,
-        /// Where.
-        #[label("a constant")]
-        span: SourceSpan,
-    },
-    /// A parameter that occurs twice.
-    #[error("`{name}` has the parameter `{parameter}` twice")]
-    #[diagnostic(help("give each parameter a name of its own"))]
-    Parameter {
-        /// The function.
-        name: String,
-        /// The parameter.
-        parameter: String,
-        /// Where.
-        #[label("this definition")]
-        span: SourceSpan,
-    },
-    /// Definitions that need each other.
-    #[error("these definitions call each other without end: {}", cycle.join(" -> "))]
-    #[diagnostic(help("kernels are closed forms; write the function without recursion"))]
-    Recursion {
-        /// The functions, the first again at the end.
-        cycle: Vec<String>,
-        /// Where.
-        #[label("calls itself in the end")]
-        span: SourceSpan,
-    },
-    /// A call with another number of arguments than the definition has parameters.
-    #[error("`{name}` takes {expected} arguments, but is called with {found}")]
-    #[diagnostic(help("correct the call or the definition"))]
-    Arguments {
-        /// The function called.
-        name: String,
-        /// Number of parameters.
-        expected: usize,
-        /// Number of arguments.
-        found: usize,
-        /// Where.
-        #[label("called here")]
-        span: SourceSpan,
-    },
-    /// A formula without measure.
-    #[error("the formulas grow to more than {} terms when all definitions are put in", SIZE_LIMIT)]
-    #[diagnostic(help("make the functions that it calls smaller"))]
-    TooLarge {
-        /// The function called.
-        name: String,
-        /// Where.
-        #[label("putting in `{name}` is too much")]
-        span: SourceSpan,
-    },
 }
 
 impl WorksheetError {
+    /// Whether the text is no Maxima, so that nothing can be said of it.
+    pub fn is_of_text(&self) -> bool {
+        self.of_text
+    }
+
     pub(super) fn new(path: &Path, text: &str, mistakes: Vec<WorksheetMistake>) -> Self {
         let count = source::count(mistakes.len());
+        let of_text = mistakes.iter().any(|mistake| matches!(mistake, WorksheetMistake::Text(_)));
         let mistakes = mistakes.into_iter().take(source::SHOWN).collect();
-        Self { path: path.to_owned(), count, text: source::named(path, text), mistakes }
+        Self { path: path.to_owned(), count, of_text, text: source::named(path, text), mistakes }
     }
 }
 
 impl WorksheetMistake {
+    /// Why a name has no formula.
+    pub(super) fn refused(name: &str, because: &Refusal) -> Self {
+        let Refusal { what, remedy, span, cause } = because.clone();
+        let what = if what.contains(&format!("`{name}`")) { what } else { format!("`{name}` has no formula: {what}") };
+        Self::Refused { name: name.to_owned(), what, remedy, span: span.into(), cause: cause.map(Into::into) }
+    }
+
+    /// A condition of a formula that cannot be decided exactly.
+    pub(super) fn condition(name: &str, condition: &Expr, error: &ConditionError) -> Self {
+        let what = format!("`{name}` is a formula under a condition that cannot be decided exactly: {error}");
+        let (remedy, span) = (error.remedy().to_owned(), condition.span.clone().into());
+        Self::Refused { name: name.to_owned(), what, remedy, span, cause: None }
+    }
+
     /// Where it is, if it has a place.
     pub(super) fn span(&self) -> Option<SourceSpan> {
         match self {
             Self::Text(error) => Some(error.span().into()),
             Self::Body(mistake) => mistake.span(),
             Self::Nothing => None,
-            Self::Computes { span, .. }
-            | Self::Constant { span, .. }
-            | Self::Parameter { span, .. }
-            | Self::Recursion { span, .. }
-            | Self::Arguments { span, .. }
-            | Self::TooLarge { span, .. } => Some(*span),
+            Self::Refused { span, .. } => Some(*span),
         }
-    }
-}
-
-fn computing(statements: usize) -> String {
-    match statements {
-        1 => "this statement defines no function".to_owned(),
-        _ => format!("{statements} statements define no function; the first of them"),
     }
 }

@@ -1,0 +1,234 @@
+//! A worksheet read as Maxima would read it, as far as its formulas need it: each name with the formula that it stands for.
+//!
+//! A function is worth what Maxima gives for it when the whole file has been read; a name what it was given last. What only
+//! Maxima can know is refused with its place, and so is everything that depends on it.
+
+mod arrays;
+mod calls;
+mod effects;
+mod evaluate;
+mod formula;
+mod numbers;
+mod state;
+mod statements;
+mod tree;
+mod words;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+
+use closedform_maxima::{BinaryOperator, Error, Expr, ExprKind, Statement, mentions, parse_what_can_be};
+
+use evaluate::Evaluator;
+pub(crate) use formula::Formula;
+use formula::Outcome;
+pub(crate) use state::Refusal;
+use state::{Binding, State, Stop};
+pub(crate) use statements::spelt;
+
+/// What a worksheet comes to.
+#[derive(Debug, Default)]
+pub(crate) struct Reading {
+    /// Its formulas, in the order in which their names are defined last.
+    pub(crate) formulas: Vec<Formula>,
+    /// Names without one, and why.
+    pub(crate) refused: Vec<(String, Refusal)>,
+    /// Names that stand for numbers, texts or settings.
+    pub(crate) constants: Vec<String>,
+    /// Names whose values were put into formulas.
+    pub(crate) inlined: BTreeSet<String>,
+    /// Definitions that later ones replace.
+    pub(crate) replaced: Vec<(String, Range<usize>)>,
+    /// Statements that are no formulas, each with a word for what it is.
+    pub(crate) passed: Vec<(String, Range<usize>)>,
+    /// What is no Maxima.
+    pub(crate) errors: Vec<Error>,
+}
+
+/// The room that evaluation may take on the stack.
+const STACK: usize = 256 << 20;
+
+/// Reads a worksheet; `files` has the texts of others by the names under which it may load them.
+pub(crate) fn read(text: &str, files: BTreeMap<String, String>) -> Reading {
+    let run = || Run::new(text, files).all();
+    std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().stack_size(STACK).spawn_scoped(scope, run);
+        thread.ok().and_then(|thread| thread.join().ok()).unwrap_or_default()
+    })
+}
+
+/// The names of files that a text may load.
+pub(crate) fn loaded(text: &str) -> Vec<String> {
+    let loading = mentions(text).into_iter().filter(|mention| words::is_loading(&mention.name));
+    loading.filter_map(|mention| mention.argument).collect()
+}
+
+/// How a name is defined.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    Function,
+    Variable,
+}
+
+struct Run {
+    statements: Vec<Statement>,
+    evaluator: Evaluator,
+    /// Where each name is defined, in the order of the text.
+    defined: Vec<(String, Kind, Range<usize>)>,
+    /// Definitions whose formulas are made.
+    made: BTreeSet<usize>,
+    reading: Reading,
+}
+
+impl Run {
+    fn new(text: &str, files: BTreeMap<String, String>) -> Self {
+        let (statements, errors) = parse_what_can_be(text);
+        let mut taken: BTreeSet<String> = mentions(text).into_iter().map(|mention| mention.name).collect();
+        taken.extend(statements.iter().flat_map(|statement| tree::names(&statement.expression)));
+        let evaluator = Evaluator::new(State::default(), files, arrays::Names::beside(taken));
+        let reading = Reading { errors, ..Reading::default() };
+        Self { statements, evaluator, defined: Vec::new(), made: BTreeSet::new(), reading }
+    }
+
+    fn all(mut self) -> Reading {
+        for statement in std::mem::take(&mut self.statements) {
+            self.statement(&statement.expression);
+        }
+        self.harvest(&[]);
+        self.reading.inlined = self.evaluator.used;
+        self.reading.formulas.sort_by_key(|formula| formula.span.start);
+        self.reading
+    }
+
+    fn statement(&mut self, statement: &Expr) {
+        self.evaluator.rest();
+        let statement = match self.evaluator.spliced(statement) {
+            Ok(statement) => statement,
+            Err(Stop::Refused(because)) => {
+                effects::Effects::of(statement, &self.evaluator.state).apply(&mut self.evaluator.state, &because);
+                self.note_definitions(statement);
+                return;
+            }
+            Err(Stop::Return(value)) => value,
+        };
+        if let Some(lost) = lost(&statement) {
+            self.harvest(&lost);
+        }
+        self.note_definitions(&statement);
+        self.evaluator.rest();
+        let value = self.evaluator.value(&statement);
+        if let Some(what) = passed_over(&statement) {
+            self.reading.passed.push((what, statement.span.clone()));
+        }
+        self.evaluator.state.last = match value {
+            Ok(value) | Err(Stop::Return(value)) => Some(Binding::Value(value.into())),
+            Err(Stop::Refused(because)) => {
+                if passed_over(&statement).is_none() && definitions(&statement).is_empty() {
+                    self.reading.passed.push((because.what.clone(), statement.span.clone()));
+                }
+                Some(Binding::Unknown(because.into()))
+            }
+        };
+    }
+
+    fn note_definitions(&mut self, statement: &Expr) {
+        for (name, kind) in definitions(statement) {
+            let same = |(at, (other, other_kind, _)): (usize, &(String, Kind, Range<usize>))| {
+                (*other == name && *other_kind == kind).then_some(at)
+            };
+            if let Some(before) = self.defined.iter().enumerate().filter_map(same).last() {
+                let span = self.defined[before].2.clone();
+                self.reading.replaced.push((name.clone(), span));
+                self.reading.formulas.retain(|formula| formula.name != name);
+                self.reading.refused.retain(|(other, _)| *other != name);
+                self.made.insert(before);
+            }
+            self.defined.push((name, kind, statement.span.clone()));
+        }
+    }
+
+    /// The formulas of names that have none yet, as things stand; of all of them if none is named.
+    fn harvest(&mut self, lost: &[String]) {
+        let defined = self.defined.clone();
+        for (at, (name, kind, span)) in defined.into_iter().enumerate() {
+            if !lost.is_empty() && !lost.contains(&name) {
+                continue;
+            }
+            if !self.made.insert(at) {
+                continue;
+            }
+            self.evaluator.rest();
+            let outcome = match kind {
+                Kind::Function => formula::of_function(&name, &mut self.evaluator),
+                Kind::Variable => formula::of_variable(&name, &span, &mut self.evaluator),
+            };
+            match outcome {
+                Outcome::Formula(formula) => self.reading.formulas.push(formula),
+                Outcome::Constant => self.reading.constants.push(name),
+                Outcome::Refused(because) => self.reading.refused.push((name, because)),
+            }
+        }
+    }
+}
+
+/// The names that lose what they stand for in a statement, whose formulas must be made before; an empty list for all.
+fn lost(statement: &Expr) -> Option<Vec<String>> {
+    let kills =
+        |part: &Expr| part.as_call().is_some_and(|(name, _)| ["kill", "remvalue", "remfunction"].contains(&name));
+    if let Some((_, names)) = statement.as_call().filter(|_| kills(statement)) {
+        let names: Option<Vec<&str>> = names.iter().map(Expr::as_symbol).collect();
+        let each = names.filter(|names| !names.iter().any(|name| ["all", "values", "functions"].contains(name)));
+        return Some(each.unwrap_or_default().into_iter().map(str::to_owned).collect());
+    }
+    let loads =
+        |part: &Expr| part.as_call().is_some_and(|(name, _)| words::is_loading(name) || words::is_sweeping(name));
+    tree::any(statement, &|part| kills(part) || loads(part)).then(Vec::new)
+}
+
+/// The names that a statement defines by itself.
+fn definitions(statement: &Expr) -> Vec<(String, Kind)> {
+    match &statement.kind {
+        ExprKind::Binary { operator: BinaryOperator::Define | BinaryOperator::DefineMacro, left, .. } => head(left),
+        ExprKind::Binary { operator: BinaryOperator::Assign, left, right } => {
+            let mut found = targets(left);
+            found.extend(definitions(right));
+            found
+        }
+        ExprKind::Call { .. } => match statement.as_call() {
+            Some(("define", [function, _])) => head(function),
+            _ => Vec::new(),
+        },
+        ExprKind::Sequence(items) => items.iter().flat_map(definitions).collect(),
+        ExprKind::Ev { expression, .. } => definitions(expression),
+        _ => Vec::new(),
+    }
+}
+
+fn head(head: &Expr) -> Vec<(String, Kind)> {
+    head.as_call().map(|(name, _)| (name.to_owned(), Kind::Function)).into_iter().collect()
+}
+
+fn targets(target: &Expr) -> Vec<(String, Kind)> {
+    match &target.kind {
+        ExprKind::Symbol(name) => vec![(name.clone(), Kind::Variable)],
+        ExprKind::List(items) => items.iter().flat_map(targets).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// What a statement is that no formula comes of, if it is worth a word.
+fn passed_over(statement: &Expr) -> Option<String> {
+    match &statement.kind {
+        ExprKind::Loop { .. } => Some("a loop".to_owned()),
+        ExprKind::If { .. } => Some("a condition".to_owned()),
+        ExprKind::Call { .. } => {
+            let (name, _) = statement.as_call()?;
+            let quiet = name == "define" || (words::is_obeyed(name) && name != "load");
+            (!quiet).then(|| format!("a call of `{name}`"))
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests;

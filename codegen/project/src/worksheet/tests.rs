@@ -1,0 +1,170 @@
+//! What worksheets come to. Every value here is what Maxima 5.46 gives, but for arithmetic that it carries out.
+
+use super::*;
+use closedform_maxima::print;
+
+fn reading(text: &str) -> Reading {
+    read(text, BTreeMap::new())
+}
+
+/// The formulas of a worksheet as `name(inputs) = value`, several results in brackets.
+fn formulas(text: &str) -> Vec<String> {
+    let spelt = |formula: &Formula| {
+        let results: Vec<String> = formula
+            .results
+            .iter()
+            .map(|(name, body)| match name.as_str() {
+                "" => print(body),
+                name => format!("{name}: {}", print(body)),
+            })
+            .collect();
+        format!("{}({}) = {}", formula.name, formula.inputs.join(","), results.join(", "))
+    };
+    reading(text).formulas.iter().map(spelt).collect()
+}
+
+/// Why names have no formula.
+fn refused(text: &str) -> Vec<String> {
+    reading(text).refused.into_iter().map(|(name, because)| format!("{name}: {}", because.what)).collect()
+}
+
+fn last(text: &str) -> String {
+    formulas(text).pop().unwrap_or_else(|| panic!("{:?}", refused(text)))
+}
+
+#[test]
+fn a_name_with_a_formula_takes_its_free_names() {
+    assert_eq!(formulas("E: m*c^2+p/m$"), ["E(m,c,p) = m*c^2+p/m"]);
+    assert_eq!(formulas("c: 3$ E: m*c^2$ c: 4$"), ["E(m) = m*3^2"]);
+    assert_eq!(formulas("p: x^2$ x: 3$ q: p+x$"), ["p(x) = x^2", "q(x) = x^2+3"]);
+    assert_eq!(formulas("a: x+1$ a: a^2$"), ["a(x) = (x+1)^2"]);
+    assert_eq!(formulas("[a,b]: [x,y+1]$ [a,b]: [b,2*a]$"), ["a(y) = y+1", "b(x) = 2*x"]);
+    assert_eq!(formulas("u: v: x+1$"), ["u(x) = x+1", "v(x) = x+1"]);
+    assert_eq!(formulas("x+1$ y: %^2$"), ["y(x) = (x+1)^2"]);
+}
+
+#[test]
+fn a_function_sees_what_is_said_after_it() {
+    assert_eq!(formulas("f(x) := a*x$ a: 5$"), ["f(x) = 5*x"]);
+    assert_eq!(formulas("f(x) := a*x$"), ["f(x,a) = a*x"]);
+    assert_eq!(formulas("f(x) := g(x)+1$ g(y) := y^2$ g(y) := y^3$"), ["f(x) = x^3+1", "g(y) = y^3"]);
+    assert_eq!(formulas("w: v+1$ v: 4$ f(x) := ''w*x$"), ["w(v) = v+1", "f(x) = (4+1)*x"]);
+    assert_eq!(last("a: 2$ define(f(x), a*x)$ a: 3$"), "f(x) = 2*x");
+    assert_eq!(last("h(u) := g(1)+u$ g(y) := y*u$"), "g(y,u) = y*u");
+    assert_eq!(formulas("h(u) := g(1)+u$ g(y) := y*u$")[0], "h(u) = 1*u+u", "scopes are dynamic");
+    assert_eq!(last("f(a,b) := a-b$ g(a,b) := f(b,a)$"), "g(a,b) = b-a");
+    assert_eq!(last("f: lambda([x], x^2+c)$ g(y) := f(y+1)$"), "g(y,c) = (y+1)^2+c");
+}
+
+#[test]
+fn a_free_name_is_no_parameter() {
+    assert_eq!(formulas("p: x^2$ g(x) := p*x$"), ["p(x) = x^2"]);
+    assert!(refused("p: x^2$ g(x) := p*x$")[0].contains("is not this parameter in Maxima"));
+    assert_eq!(last("p: x^2$ define(g(x), p*x)$"), "g(x) = x^2*x");
+    assert_eq!(last("p: x^2$ g(x) := ''p*x$"), "g(x) = x^2*x");
+    assert_eq!(last("x: 7$ g(x) := x+1$"), "g(x) = x+1");
+}
+
+#[test]
+fn blocks_have_names_of_their_own() {
+    assert_eq!(last("f(x) := block([t: x+1, s], s: t^2, s/t)$"), "f(x) = (x+1)^2/(x+1)");
+    assert_eq!(last("t: 9$ f(x) := block([t], t: x, t+1)$ g(x) := t*x$"), "g(x) = 9*x");
+    assert_eq!(last("f(x) := block([t: x+1], return(t^2), 99)$"), "f(x) = (x+1)^2");
+    assert_eq!(last("g(x) := x$ f(x) := block(local(g), g(y) := y^2, g(x))$ h(x) := f(x)+g(x)$"), "h(x) = x^2+x");
+    assert_eq!(last("f(x) := (s: x+1, s^2)$"), "f(x) = (x+1)^2");
+}
+
+#[test]
+fn values_for_names_are_put_in() {
+    assert_eq!(last("y: x^2$ z: subst(x=a+1, y)$"), "z(a) = (a+1)^2");
+    assert_eq!(last("z: subst([a=b,b=c], a*d)$"), "z(c,d) = c*d");
+    assert_eq!(last("z: at(a*d, [a=b,b=c])$"), "z(b,d) = b*d");
+    assert_eq!(last("z: subst(2, q, q+x)$"), "z(x) = 2+x");
+    assert_eq!(last("y: x^2$ z: ev(y, x=a)$"), "z(a) = a^2");
+    assert_eq!(last("y: x^2$ z: w*y$ v: z, x=3, w=b$"), "v(b) = b*3^2");
+    assert_eq!(last("y: x^2$ x: 7$ z: ev(y*b, c=1)$"), "z(b) = 7^2*b");
+    assert_eq!(last("e: F = m*a$ y: rhs(e)+1$"), "y(m,a) = m*a+1");
+    assert_eq!(last("y: sum(a^i, i, 0, 2)$"), "y(a) = a^0+a^1+a^2");
+}
+
+#[test]
+fn lists_and_matrices_are_several_results() {
+    assert_eq!(last("p: [x+1, x*y]$"), "p(x,y) = p_1: x+1, p_2: x*y");
+    assert_eq!(last("p: [u = x+1, v = x*y]$"), "p(x,y) = u: x+1, v: x*y");
+    assert_eq!(last("r(a) := matrix([a,1],[2*a,b])$"), "r(a,b) = r_1_1: a, r_1_2: 1, r_2_1: 2*a, r_2_2: b");
+    assert_eq!(last("m: matrix([1,x],[x,2])$ y: m . [3,z]$ d: determinant(m)$"), "d(x) = 1*2-x*x");
+    assert_eq!(last("l: [x, y^2]$ z: l[2]+l[1]$"), "z(y,x) = y^2+x");
+    assert_eq!(last("l: [x, y]$ k: 2*l+[1,2]$"), "k(x,y) = k_1: 2*x+1, k_2: 2*y+2");
+}
+
+#[test]
+fn subscripts_become_names() {
+    assert_eq!(last("y: x[1]^2+x[2]$"), "y(x_1,x_2) = x_1^2+x_2");
+    assert_eq!(last("x_1: 3$ y: x[1]+x_1$"), "y(x_1_) = x_1_+3");
+    assert_eq!(last("a: b$ y: a[1]^2$"), "y(b_1) = b_1^2");
+    assert!(refused("f(v) := v[1]+v[2]$")[0].contains("the parameter `v` is a list"));
+    assert_eq!(last("a[0]: 5$ y: a[0]*x$"), "y(x) = 5*x");
+    assert_eq!(last("l: [1,2]$ l[1]: b$ y: l[1]+x$"), "y(b,x) = b+x");
+    assert_eq!(formulas("l: [1,2]$ k: l$ k[1]: b$ y: l[1]+x$"), [""; 0], "both names stand for one list");
+}
+
+#[test]
+fn numbers_decide_conditions_and_ends() {
+    assert_eq!(last("p(n,x) := if n = 0 then 1 else x*p(n-1,x)$ y: p(2,z)$"), "y(z) = z*(z*1)");
+    assert!(refused("p(n,x) := if n = 0 then 1 else x*p(n-1,x)$")[0].contains("p -> p"));
+    assert_eq!(last("f(x) := if x > 0 then sqrt(x) else error(\"negative\")$"), "f(x) = sqrt(x)");
+    let conditions =
+        |text: &str| reading(text).formulas.pop().unwrap().conditions.iter().map(spelt).collect::<Vec<_>>();
+    assert_eq!(conditions("f(x) := if x > 0 then sqrt(x) else error(\"negative\")$"), ["x > 0"]);
+    assert_eq!(conditions("f(x,y) := if x < y then false elseif equal(y,0) then und else x/y$").len(), 2);
+    assert_eq!(conditions("g(x) := if x >= 1 then x else error()$ h(z) := g(z-1)$"), ["z-1 >= 1"]);
+}
+
+#[test]
+fn what_only_maxima_knows_is_refused_with_all_that_depends_on_it() {
+    let because = refused("y: diff(x^2, x)$ z: y+1$");
+    assert!(because.iter().all(|because| because.contains("it calls `diff`")), "{because:?}");
+    assert_eq!(because.len(), 2);
+    assert!(refused("s: 0$ for i thru n do s: s+x^i$ y: s+1$").iter().all(|because| because.contains("a loop")));
+    assert!(refused("a: 3$ load(\"nowhere.mac\")$ y: a*x$").iter().any(|because| because.contains("`nowhere.mac`")));
+    assert!(refused("load(\"nowhere.mac\")$ y: a*x$")[0].contains("`nowhere.mac`"));
+    assert_eq!(formulas("load(\"nowhere.mac\")$ f(x) := x^2$"), ["f(x) = x^2"]);
+    assert_eq!(formulas("f(x) := x$ load(draw)$ y: a*f(x)$").len(), 2);
+    assert!(refused("simp: false$ y: x/x$").iter().any(|because| because.contains("arithmetic")));
+    assert!(refused("set() := a: 4$ a: 3$ if q then set()$ y: a*x$").iter().any(|because| because.contains("`if`")));
+    assert!(refused("z: ratsimp(0.1*x)$")[0].contains("decimal point"));
+    assert_eq!(last("z: ratsimp(x/10)+float(1/3)$"), "z(x) = x/10+1/3");
+    assert_eq!(refused("declare(z, complex)$ y: 2*z$").len(), 1);
+}
+
+#[test]
+fn what_is_killed_had_its_formula() {
+    assert_eq!(formulas("a: 2$ y: a*x$ kill(all)$ z: a*x$"), ["y(x) = 2*x", "z(a,x) = a*x"]);
+    assert_eq!(formulas("a: 2$ f(x) := a*x$ kill(a)$ g(x) := a*x$"), ["f(x,a) = a*x", "g(x,a) = a*x"]);
+}
+
+#[test]
+fn other_files_are_read_where_they_are_loaded() {
+    let files = BTreeMap::from([("part.mac".to_owned(), "g: 10$ h(x) := g*x$".to_owned())]);
+    let read = read("load(\"part.mac\")$ y: h(t)+1$", files);
+    assert_eq!(print(&read.formulas[0].results[0].1), "10*t+1");
+}
+
+#[test]
+fn assumptions_are_kept() {
+    let assumed = |text: &str| reading(text).formulas.pop().unwrap().assumed.iter().map(spelt).collect::<Vec<_>>();
+    assert_eq!(assumed("assume(x > 0, notequal(y, 0), z > 0)$ f(x,y) := x/y$"), ["x > 0", "y # 0"]);
+    assert_eq!(assumed("assume(x > 0 and x < 1)$ forget(x < 1)$ f(x,y) := x/y$"), ["x > 0"]);
+    assert_eq!(assumed("a: 3$ assume(x > a)$ f(x,y) := x/y$"), ["x > 3"]);
+}
+
+#[test]
+fn what_grows_or_never_ends_is_refused() {
+    let mut text = "f0(x):=x+1$".to_owned();
+    (1..60).for_each(|level| text += &format!("f{level}(x):=f{}(x)*f{}(x)$", level - 1, level - 1));
+    assert!(refused(&text)[0].contains("more than 100000 terms"));
+    assert!(refused("f(x) := g(x)$ g(x) := f(x)$")[0].contains("f -> g -> f"));
+    assert!(refused("f(n) := if n < 2 then n else f(n-1)+f(n-2)$ y: f(40)+x$").len() == 2);
+    let chain: String = (1..5000).map(|n| format!("a{n}: a{}+x$", n - 1)).collect();
+    assert!(!refused(&chain).is_empty());
+}
