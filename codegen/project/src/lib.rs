@@ -18,6 +18,7 @@ pub mod layout;
 pub mod markdown;
 pub mod maxima_process;
 pub mod sample;
+pub mod script;
 pub mod source;
 mod statements;
 

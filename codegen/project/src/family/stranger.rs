@@ -9,7 +9,7 @@ use std::path::Path;
 
 use super::super::contract::{self, Contract, FamilyInfo, Input, KernelContract, ResultContract, TYPICAL};
 use super::super::domain::Domain;
-use super::super::source;
+use super::super::script::Script;
 use super::{Family, FamilyError, Paths};
 use closedform_maxima::Definition;
 use judged::Judged;
@@ -47,13 +47,13 @@ pub(super) fn load(path: &Path) -> Result<Sheet, FamilyError> {
         }
         contract => contract,
     };
-    let text = source::read(path, "name a Maxima worksheet: a text in UTF-8 of definitions f(x,y):=..$")?;
-    let judged = Judged::new(&text);
+    let script = Script::load(path)?;
+    let judged = Judged::new(script.text());
     let mut contract = contract.unwrap_or_else(|| contract_of(&file_name(path), &judged.definitions));
     let ((kernels, references), mistakes) = judged.against(&contract);
     contract.kernels = kernels;
-    let error = (!mistakes.is_empty()).then(|| WorksheetError::new(path, &text, mistakes));
-    let places = source::places(path, &text, references.iter().map(|reference| reference.span.start));
+    let error = (!mistakes.is_empty()).then(|| WorksheetError::new(path, script.shown(), mistakes));
+    let places = script.places(references.iter().map(|reference| reference.span.start));
     Ok(Sheet { family: Family { name, contract, references, places, paths }, error })
 }
 

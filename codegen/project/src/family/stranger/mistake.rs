@@ -114,10 +114,10 @@ pub enum WorksheetMistake {
 }
 
 impl WorksheetError {
-    pub(super) fn new(path: &Path, text: &str, mistakes: Vec<WorksheetMistake>) -> Self {
+    pub(super) fn new(path: &Path, text: Text, mistakes: Vec<WorksheetMistake>) -> Self {
         let count = source::count(mistakes.len());
         let mistakes = mistakes.into_iter().take(source::SHOWN).collect();
-        Self { path: path.to_owned(), count, text: source::named(path, text), mistakes }
+        Self { path: path.to_owned(), count, text, mistakes }
     }
 }
 
