@@ -80,7 +80,7 @@ pub fn stale(generated: &Path, worksheets: &Path) -> io::Result<Vec<Stale>> {
 }
 
 /// How the files of worksheets end, those that come first where there are several of one name.
-pub const WORKSHEETS: [&str; 4] = ["mac", "dem", "wxm", "wxmx"];
+pub const WORKSHEETS: [&str; 5] = ["mac", "dem", "wxm", "wxmx", "fpcore"];
 
 /// How the files end that Maxima's results stand in.
 const REFERENCES: &str = "ref";

@@ -10,6 +10,7 @@ pub mod expression;
 pub mod family;
 mod files;
 pub mod folder;
+pub mod fpcore;
 pub mod generated;
 pub mod golden;
 pub mod hexfloat;

@@ -1,5 +1,6 @@
 //! A worksheet that nobody wrote a contract for: its definitions are its reference expressions.
 
+mod cores;
 mod inline;
 mod judged;
 mod mistake;
@@ -37,6 +38,9 @@ pub(super) fn load(path: &Path) -> Result<Sheet, FamilyError> {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let paths = Paths { worksheet: path.to_owned(), ..Paths::new(folder, &stem) };
     let name = contract::free_module_name(&stem);
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(CORES)) {
+        return load_cores(path, name, paths);
+    }
     let contract = match paths.contract.exists() {
         true => Some(contract::load_under_any_name(&paths.contract)?),
         false => None,
@@ -52,6 +56,21 @@ pub(super) fn load(path: &Path) -> Result<Sheet, FamilyError> {
     let mut contract = contract.unwrap_or_else(|| contract_of(&file_name(path), &judged.definitions));
     let ((kernels, references), mistakes) = judged.against(&contract);
     contract.kernels = kernels;
+    let error = (!mistakes.is_empty()).then(|| WorksheetError::new(path, script.shown(), mistakes));
+    let places = script.places(references.iter().map(|reference| reference.span.start));
+    Ok(Sheet { family: Family { name, contract, references, places, paths }, error })
+}
+
+/// How the names of files of FPCores end.
+const CORES: &str = "fpcore";
+
+fn load_cores(path: &Path, name: String, paths: Paths) -> Result<Sheet, FamilyError> {
+    let script = Script::load(path)?;
+    let (contract, references, mut mistakes) = cores::judged(script.text(), &file_name(path));
+    if paths.contract.exists() {
+        mistakes.push(WorksheetMistake::Contract { contract: paths.contract.clone() });
+    }
+    mistakes.sort_by_key(|mistake| mistake.span().map(|span| span.offset()));
     let error = (!mistakes.is_empty()).then(|| WorksheetError::new(path, script.shown(), mistakes));
     let places = script.places(references.iter().map(|reference| reference.span.start));
     Ok(Sheet { family: Family { name, contract, references, places, paths }, error })

@@ -37,7 +37,7 @@ impl Text {
     pub fn places(&self, starts: impl Iterator<Item = usize>) -> Vec<String> {
         let place = |start: usize| {
             let part = self.part_of(start);
-            let (at, text) = (start - part.start, part.text);
+            let (at, text) = (letter_at(part.text, start - part.start), part.text);
             let (line, column) = (text[..at].matches('\n').count(), text[line_start(text, at)..at].chars().count());
             format!("{}:{}:{}", part.name, line + 1, column + 1)
         };
@@ -93,12 +93,12 @@ impl<'a> Part<'a> {
             return Ok(whole);
         }
         let line = text.read_span(span, 0, 0)?;
-        let start = letter_at(text, span.offset().saturating_sub(AROUND)).max(line_start(text, span.offset()));
-        let end = letter_at(text, span.offset() + span.len().min(LONGEST) + AROUND);
+        let place = letter_at(text, span.offset());
+        let start = letter_at(text, place.saturating_sub(AROUND)).max(line_start(text, place));
+        let end = letter_at(text, place + span.len().min(LONGEST) + AROUND);
         let piece = &text[start..end];
-        let piece =
-            &piece[..piece[span.offset() - start..].find('\n').map_or(piece.len(), |at| span.offset() - start + at)];
-        let column = text[line_start(text, span.offset())..start].chars().count();
+        let piece = &piece[..piece[place - start..].find('\n').map_or(piece.len(), |at| place - start + at)];
+        let column = text[line_start(text, place)..start].chars().count();
         let place = (start, piece.len()).into();
         Ok(Box::new(MietteSpanContents::new(piece.as_bytes(), place, line.line(), column, 1)))
     }

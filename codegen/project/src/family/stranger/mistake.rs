@@ -1,11 +1,12 @@
 //! What can be wrong with a worksheet.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
 use super::super::reference::ReferenceMistake;
+use crate::fpcore::CoreMistake;
 use crate::source::{self, Text};
 
 /// The most nodes that calls may put into the formulas of a worksheet.
@@ -38,6 +39,17 @@ pub enum WorksheetMistake {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Body(#[from] ReferenceMistake),
+    /// A core that no kernel can be made of.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Core(#[from] CoreMistake),
+    /// A contract beside cores.
+    #[error("there is a contract beside the cores, which state their domains themselves")]
+    #[diagnostic(help("write `:pre` and `:name` into the cores, and remove or rename {}", contract.display()))]
+    Contract {
+        /// The contract.
+        contract: PathBuf,
+    },
     /// Statements that compute.
     #[error("{}", computing(*statements))]
     #[diagnostic(help(
@@ -127,7 +139,8 @@ impl WorksheetMistake {
         match self {
             Self::Text(error) => Some(error.span().into()),
             Self::Body(mistake) => mistake.span(),
-            Self::Nothing => None,
+            Self::Core(mistake) => Some(mistake.span),
+            Self::Nothing | Self::Contract { .. } => None,
             Self::Computes { span, .. }
             | Self::Constant { span, .. }
             | Self::Parameter { span, .. }
