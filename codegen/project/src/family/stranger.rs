@@ -66,7 +66,7 @@ const CORES: &str = "fpcore";
 
 fn load_cores(path: &Path, name: String, paths: Paths) -> Result<Sheet, FamilyError> {
     let script = Script::load(path)?;
-    let (contract, references, mut mistakes) = cores::judged(script.text(), &file_name(path));
+    let (contract, references, mut mistakes) = cores::judged(script.text(), &file_name(path), contract_of);
     if paths.contract.exists() {
         mistakes.push(WorksheetMistake::Contract { contract: paths.contract.clone() });
     }

@@ -6,13 +6,16 @@ use closedform_maxima::{Definition, print};
 
 use super::super::reference::mistakes_of;
 use super::mistake::WorksheetMistake;
-use super::{contract_of, unused_name};
-use crate::contract::{Contract, KernelContract};
+use crate::contract::{self, Contract, KernelContract};
 use crate::domain::{Condition, Domain};
 use crate::fpcore::{Core, CoreMistake, cores};
 
 /// The kernels of a file with their definitions, and everything that is wrong with the others.
-pub(super) fn judged(text: &str, file: &str) -> (Contract, Vec<Definition>, Vec<WorksheetMistake>) {
+pub(super) fn judged(
+    text: &str,
+    file: &str,
+    contract_of: fn(&str, &[Definition]) -> Contract,
+) -> (Contract, Vec<Definition>, Vec<WorksheetMistake>) {
     let (cores, wrong) = cores(text);
     let mut mistakes: Vec<WorksheetMistake> = wrong.into_iter().map(Into::into).collect();
     let named = named(cores);
@@ -46,7 +49,9 @@ fn named(cores: Vec<Core>) -> Vec<Core> {
             let wished = core.identifier.as_deref().or(core.title.as_deref()).unwrap_or("core");
             let short: String = wished.chars().take(LONGEST_NAME).collect();
             loop {
-                let name = unused_name(&short, &mut taken);
+                let is_free = |name: &str| contract::rust_name(name).is_ok() && !taken.contains(name);
+                let name = contract::free_name(&short, is_free);
+                taken.insert(name.clone());
                 if !identifiers.contains(&name) {
                     return name;
                 }
