@@ -32,7 +32,7 @@ lowest-rust: tools
 
 # What the fuzzer finds new goes below target/, what breaks a target below fuzz/artifacts/.
 fuzz:
-	for target in worksheet contract kernel gcode; do \
+	for target in worksheet contract kernel gcode script cores; do \
 		mkdir -p target/fuzz-corpus/$$target && \
 		cargo +nightly fuzz run $$target target/fuzz-corpus/$$target fuzz/corpus/$$target -- \
 			-max_total_time=$(SECONDS_EACH) -timeout=20 || exit 1; \

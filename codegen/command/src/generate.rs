@@ -21,8 +21,9 @@ use std::path::{Path, PathBuf};
 /// Make the kernels from the reference expressions
 #[derive(Debug, ClapArgs)]
 pub struct Args {
-    /// A worksheet of definitions `f(x,y) := ..` to make a crate of, instead of this project's kernels
-    #[arg(long, value_name = "FILE.mac", requires = "out")]
+    /// A worksheet of definitions `f(x,y) := ..` to make a crate of, instead of this project's kernels: a text of Maxima (.mac,
+    /// .dem), or what wxMaxima saves (.wxm, .wxmx)
+    #[arg(long, value_name = "FILE", requires = "out")]
     input: Option<PathBuf>,
     /// The folder of that crate: a new one, or one with a crate, where only src/generated/ is written
     #[arg(long, value_name = "DIR", requires = "input")]
@@ -111,16 +112,16 @@ fn whole(args: &Args, project: &Project) -> miette::Result<()> {
 
 fn own_crate(args: &Args, input: &Path, out: &Path, project: &Project) -> miette::Result<()> {
     own_crate::check(out)?;
-    let generated = worker::run_sheet(input, args.strict)?;
+    let module = own_crate::module(input, out);
+    let generated = worker::run_sheet(input, &module.name, args.strict)?;
     let draft = Draft::new(&generated)?;
     let rows = ledger::rows(&out.join("records"), &draft.catalogue()?, args.points)?;
     output::tell(&summary::each_kernel(&generated.kernels, &rows, &[]))?;
     remark(&generated.kernels);
     hold(&rows)?;
     let runtime = args.runtime.clone().unwrap_or_default();
-    for note in own_crate::write(&draft, out, &runtime, &project.root)? {
-        output::note(&note);
-    }
+    let notes = own_crate::write(&draft, out, &runtime, &project.root)?;
+    module.note().iter().chain(&notes).for_each(|note| output::note(note));
     let count = generated.kernels.len();
     output::note(&format!("{count} kernels in {}: `cargo test` there runs their judges", out.display()));
     Ok(())

@@ -5,6 +5,7 @@
 //! the index of all of them, and the judges with their values. A file without that mark is never touched.
 
 mod error;
+mod module;
 mod name;
 mod place;
 mod runtime;
@@ -14,6 +15,7 @@ mod values;
 mod workspace;
 
 pub use error::OwnCrateError;
+pub use module::module;
 pub use runtime::Runtime;
 pub use start::start;
 

@@ -25,7 +25,12 @@ pub enum Source {
     /// All families of a folder.
     Folder(PathBuf),
     /// One worksheet.
-    Worksheet(PathBuf),
+    Worksheet {
+        /// The file.
+        worksheet: PathBuf,
+        /// The module that its kernels stand in.
+        module: String,
+    },
     /// Nothing: the kernels of a folder are proved equal to what Maxima derives from the worksheets of another one.
     Rederived {
         /// The worksheets.
@@ -128,8 +133,8 @@ pub fn run(source: &Source) -> Result<Generated, WorkerError> {
 ///
 /// # Errors
 /// As of [`run`], and when nothing is left, or something is passed over that must not be.
-pub fn run_sheet(worksheet: &Path, strict: bool) -> Result<Generated, WorkerError> {
-    let source = Source::Worksheet(worksheet.to_owned());
+pub fn run_sheet(worksheet: &Path, module: &str, strict: bool) -> Result<Generated, WorkerError> {
+    let source = Source::Worksheet { worksheet: worksheet.to_owned(), module: module.to_owned() };
     let Sheet { family, error, summary } = Family::sheet(worksheet)?;
     let nothing = family.contract.kernels.is_empty();
     match error {
@@ -179,7 +184,7 @@ impl Source {
     /// The folder of the worksheets.
     fn worksheets(&self) -> &Path {
         match self {
-            Self::Worksheet(worksheet) => worksheet.parent().unwrap_or(Path::new("")),
+            Self::Worksheet { worksheet, .. } => worksheet.parent().unwrap_or(Path::new("")),
             Self::Folder(folder) | Self::Rederived { folder, .. } => folder,
         }
     }
@@ -187,7 +192,7 @@ impl Source {
     /// What is wrong is better said before waiting for others than after: what of a worksheet is, if something else is right.
     fn check(&self) -> Result<Option<WorksheetError>, FamilyError> {
         match self {
-            Self::Worksheet(worksheet) => match Family::sheet(worksheet)? {
+            Self::Worksheet { worksheet, .. } => match Family::sheet(worksheet)? {
                 Sheet { family, error: Some(error), .. } if family.contract.kernels.is_empty() => Err(error.into()),
                 Sheet { error, .. } => Ok(error),
             },

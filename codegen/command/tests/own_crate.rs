@@ -159,7 +159,13 @@ fn what_was_not_generated_stays() {
     desk.write("a-b.mac", "f(x) := x$");
     desk.write("a b.mac", "f(x) := 2*x$");
     desk.makes("a-b.mac", "mine");
-    desk.refuses("a b.mac", "mine", &["a_b.rs was made from another worksheet", "rename one"]);
+    let first = fs::read_to_string(desk.path("mine/src/generated/a_b.rs")).unwrap();
+    for _ in 0..2 {
+        assert!(desk.makes("a b.mac", "mine").contains("called `a_b_2`, because `a_b` is that of another worksheet"));
+        assert!(!desk.makes("a-b.mac", "mine").contains("a_b_2"));
+    }
+    assert_eq!(fs::read_to_string(desk.path("mine/src/generated/a_b.rs")).unwrap(), first);
+    assert!(fs::read_to_string(desk.path("mine/src/generated/a_b_2.rs")).unwrap().contains("from a b.mac: edit"));
     // The kernels of a project.
     desk.write("project/Cargo.toml", "[package]\nname = \"kernels\"\n");
     desk.write("project/src/lib.rs", "mod generated;\n");

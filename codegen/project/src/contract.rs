@@ -10,8 +10,8 @@ use std::path::Path;
 
 pub use error::{ContractError, Mistake};
 pub use names::{
-    RustNameError, free_module_name, free_name, free_type_name, is_device, is_keyword, module_name, rust_name,
-    snake_case,
+    RustNameError, free_module_name, free_module_name_beside, free_name, free_type_name, is_device, is_keyword,
+    module_name, rust_name, snake_case,
 };
 
 use super::domain::Domain;

@@ -13,7 +13,8 @@ use thiserror::Error;
 pub use reference::{ReferenceError, ReferenceMistake};
 pub use stranger::{Sheet, Summary, WorksheetError, WorksheetMistake};
 
-use super::contract::{self, Contract, ContractError, KernelContract, ResultContract};
+use super::contract::{self, Contract, ContractError, KernelContract, ResultContract, module_name};
+use super::script::ScriptError;
 use super::source::{self, ReadError};
 
 /// Everything about a family that kernels are made of.
@@ -34,7 +35,7 @@ pub struct Family {
 /// The files of a family.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Paths {
-    /// `NAME.mac`
+    /// `NAME.mac`, or another worksheet of that name
     pub worksheet: PathBuf,
     /// `NAME.toml`
     pub contract: PathBuf,
@@ -51,6 +52,10 @@ pub enum FamilyError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Read(#[from] ReadError),
+    /// The worksheet's file gives no text.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Script(#[from] ScriptError),
     /// The contract is wrong.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -63,12 +68,12 @@ pub enum FamilyError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Worksheet(#[from] WorksheetError),
-    /// Two worksheets have one name in Rust.
-    #[error("{} and {} would both become the module `{name}`", first.display(), second.display())]
-    #[diagnostic(help("rename one of them"))]
+    /// Two worksheets of one contract.
+    #[error("the contract {} has two worksheets: {} and {}", contract.display(), first.display(), second.display())]
+    #[diagnostic(help("rename one of them, or remove it"))]
     Twice {
-        /// The name in Rust.
-        name: String,
+        /// The contract.
+        contract: PathBuf,
         /// The one.
         first: PathBuf,
         /// The other.
@@ -80,7 +85,12 @@ impl Paths {
     /// The files of the family `name` in a folder, whether they exist or not.
     pub fn new(folder: &Path, name: &str) -> Self {
         let file = |extension: &str| folder.join(format!("{name}.{extension}"));
-        Self { worksheet: file("mac"), contract: file("toml"), reference: file("ref"), golden: file("tsv") }
+        Self {
+            worksheet: closedform_build::worksheet(folder, name),
+            contract: file("toml"),
+            reference: file("ref"),
+            golden: file("tsv"),
+        }
     }
 }
 
@@ -140,41 +150,56 @@ pub(super) fn completed<'a>(kernel: &KernelContract, own: impl Iterator<Item = &
 /// The families of a folder, by name: those with a contract, and worksheets of definitions alone.
 pub fn families(folder: &Path) -> Result<Vec<Family>, FamilyError> {
     let contracts = family_names(folder)?;
-    let alone = stems(folder, "mac")?.into_iter().filter(|name| !contracts.contains(name));
-    let alone: Vec<String> = alone.collect();
+    let worksheets = files(folder, &closedform_build::WORKSHEETS)?;
+    let (owned, mut alone): (Vec<_>, Vec<_>) = worksheets.into_iter().partition(|file| contracts.contains(&stem(file)));
+    one_each(folder, &owned)?;
+    // a worksheet that is called as its module keeps that name, whatever others come
+    alone.sort_by_key(|file| module_name(&stem(file)).is_err());
     let mut families = contracts.iter().map(|name| Family::load(folder, name)).collect::<Result<Vec<_>, _>>()?;
-    for name in &alone {
-        let family = Family::from_worksheet(&Paths::new(folder, name).worksheet)?;
-        if let Some(first) = families.iter().find(|known| known.name == family.name) {
-            let [first, second] = [first, &family].map(|family| family.paths.worksheet.clone());
-            return Err(FamilyError::Twice { name: family.name, first, second });
-        }
-        families.push(family);
+    for file in &alone {
+        let taken = |name: &str| families.iter().any(|family| family.name == name);
+        let name = contract::free_module_name_beside(&stem(file), taken);
+        families.push(Family { name, ..Family::from_worksheet(file)? });
     }
     families.sort_by(|one, other| one.name.cmp(&other.name));
     Ok(families)
 }
 
-/// The names of the families of a folder that have a contract `NAME.toml`, sorted.
-pub fn family_names(folder: &Path) -> Result<Vec<String>, ReadError> {
-    stems(folder, "toml")
+/// Refuses two worksheets of one contract.
+fn one_each(folder: &Path, worksheets: &[PathBuf]) -> Result<(), FamilyError> {
+    let mut pairs = worksheets.windows(2).filter_map(|pair| Some((pair.first()?, pair.get(1)?)));
+    match pairs.find(|(first, second)| stem(first) == stem(second)) {
+        None => Ok(()),
+        Some((first, second)) => {
+            let (contract, first, second) = (Paths::new(folder, &stem(first)).contract, first.clone(), second.clone());
+            Err(FamilyError::Twice { contract, first, second })
+        }
+    }
 }
 
-/// The names of the files of a folder with an ending, without it, sorted.
-fn stems(folder: &Path, ending: &str) -> Result<Vec<String>, ReadError> {
+/// The names of the families of a folder that have a contract `NAME.toml`, sorted.
+pub fn family_names(folder: &Path) -> Result<Vec<String>, ReadError> {
+    Ok(files(folder, &["toml"])?.iter().map(|file| stem(file)).collect())
+}
+
+fn stem(file: &Path) -> String {
+    file.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// The files of a folder with one of these endings, by their names and in the order of the endings.
+fn files(folder: &Path, endings: &[&str]) -> Result<Vec<PathBuf>, ReadError> {
     let unreadable = |cause| {
         let remedy = "name the folder that holds worksheets and contracts".to_owned();
         ReadError { path: folder.to_owned(), cause, remedy }
     };
-    let mut names = Vec::new();
+    let mut files = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         let path = entry.map_err(unreadable)?.path();
-        if path.extension().is_some_and(|extension| extension == ending) {
-            names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
-        }
+        let ending = path.extension().and_then(|extension| endings.iter().position(|ending| extension == *ending));
+        files.extend(ending.map(|ending| (stem(&path), ending, path)));
     }
-    names.sort();
-    Ok(names)
+    files.sort();
+    Ok(files.into_iter().map(|(.., path)| path).collect())
 }
 
 /// The definitions of a reference text, in contract order, if they are what the contract promises.

@@ -25,8 +25,8 @@ impl Generated {
     /// When one of those cannot be read.
     pub fn stamp(&mut self, worksheets: &Path) -> io::Result<()> {
         for text in self.files.values_mut() {
-            let name = text.lines().next().and_then(closedform_build::worksheet_of).unwrap_or_default();
-            let inputs = closedform_build::inputs(worksheets, name);
+            let origin = text.lines().next().and_then(closedform_build::worksheet_of);
+            let inputs = origin.map(|origin| closedform_build::inputs(worksheets, &origin)).unwrap_or_default();
             let inputs = inputs.iter().map(fs::read).collect::<io::Result<Vec<_>>>()?;
             *text = stamped(text, VERSION, hash(inputs.iter().map(Vec::as_slice)));
         }

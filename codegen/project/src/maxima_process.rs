@@ -14,7 +14,7 @@ pub use error::{LostMaxima, ProcessError, Used};
 pub use guard::Reaching;
 pub use transcript::Message;
 
-use super::source;
+use super::script::Script;
 use super::statements::statements;
 use closedform_system::scratch::Folder;
 
@@ -59,20 +59,19 @@ impl Maxima {
     /// Runs the worksheet, then the driver: Maxima statements that call `closedform_say(text)` to send a message.
     /// Nothing is written outside a temporary folder, unless the worksheet may and does.
     pub fn run(&self, worksheet: &Path, driver: &str) -> Result<Vec<Message>, ProcessError> {
-        let remedy = "write the worksheet of this family, a Maxima batch file";
-        let text = source::read(worksheet, remedy)?;
+        let script = Script::load(worksheet)?;
         if !self.allow_system {
-            guard::check(worksheet, &text)?;
+            guard::check(&script)?;
         }
         let marks = Marks::new();
-        let places = places(worksheet, &text)?;
+        let places = places(&script)?;
         let folder = Folder::new().map_err(|cause| self.lost(LostMaxima::Files(cause)))?;
         let files = Files::new(folder.path());
-        let written = files.write(&text, driver, &marks, self.allow_system);
+        let written = files.write(script.text(), driver, &marks, self.allow_system);
         written.map_err(|cause| self.lost(LostMaxima::Files(cause)))?;
         let home = worksheet.parent().filter(|home| !home.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let end = child::run(self, &files.arguments(), home, &marks, places.len()).map_err(|cause| self.lost(cause))?;
-        transcript::read(&end, &marks).map_err(|failure| failure.at(worksheet, &text, &places))
+        transcript::read(&end, &marks).map_err(|failure| failure.at(&script, &places))
     }
 
     /// How long a run may take that uses hardly any processor time.
@@ -86,12 +85,10 @@ impl Maxima {
 }
 
 /// The places of the statements, if the last one ends.
-fn places(worksheet: &Path, text: &str) -> Result<Vec<std::ops::Range<usize>>, ProcessError> {
-    let statements = statements(text);
+fn places(script: &Script) -> Result<Vec<std::ops::Range<usize>>, ProcessError> {
+    let statements = statements(script.text());
     match statements.last().filter(|last| !last.ended) {
-        Some(last) => {
-            Err(ProcessError::Unended { text: source::named(worksheet, text), place: last.place.clone().into() })
-        }
+        Some(last) => Err(ProcessError::Unended { text: script.shown(), place: last.place.clone().into() }),
         None => Ok(statements.into_iter().map(|statement| statement.place).collect()),
     }
 }
@@ -140,7 +137,6 @@ impl Files {
         let lisp = format!("(setq *general-display-prefix* \"{statement}\" *prompt-prefix* \"{question}\")\n");
         let guard = guard::lisp(message, &self.driver, &self.batch, allow_system);
         std::fs::write(&self.marks, format!("{lisp}{guard}"))?;
-        let worksheet = worksheet.trim_start_matches('\u{feff}'); // a byte order mark is none of Maxima's letters
         std::fs::write(&self.batch, format!("{worksheet}\nload({:?})$\n", self.driver.display().to_string()))?;
         std::fs::write(&self.driver, format!("{SETTINGS}{driver}\nclosedform_say(\"{}\")$\n", transcript::END))
     }

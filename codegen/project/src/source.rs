@@ -1,9 +1,13 @@
 //! Text files of a family, read so that an error can point into them.
 
+mod text;
+
 use std::path::{Path, PathBuf};
 
-use miette::{Diagnostic, MietteError, MietteSpanContents, NamedSource, SourceCode, SourceSpan, SpanContents};
+use miette::Diagnostic;
 use thiserror::Error;
+
+pub use text::{Cell, Text};
 
 /// A file that could not be read.
 #[derive(Debug, Error, Diagnostic)]
@@ -44,66 +48,18 @@ pub fn count(mistakes: usize) -> String {
 
 /// Places in a text, as `path:line:column`.
 pub fn places(path: &Path, text: &str, starts: impl Iterator<Item = usize>) -> Vec<String> {
-    let place = |start: usize| {
-        let (before, line) = (&text[..start], line_start(text, start));
-        format!("{}:{}:{}", path.display(), before.matches('\n').count() + 1, text[line..start].chars().count() + 1)
-    };
-    starts.map(place).collect()
+    named(path, text).places(starts)
 }
-
-/// A text under its path, for errors that draw carets.
-pub type Text = NamedSource<Excerpt>;
 
 /// A text under its path, for errors that draw carets.
 pub fn named(path: &Path, text: &str) -> Text {
-    NamedSource::new(path.display().to_string(), Excerpt(text.to_owned()))
-}
-
-/// A text that errors show the line of, or of a long line the letters around the place.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Excerpt(String);
-
-/// The longest piece of text that is shown whole, in bytes, and how much of a longer one stands on each side of the place.
-const LONGEST: usize = 600;
-const AROUND: usize = 60;
-
-impl SourceCode for Excerpt {
-    fn read_span<'a>(
-        &'a self,
-        span: &SourceSpan,
-        before: usize,
-        after: usize,
-    ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
-        let whole = self.0.read_span(span, before, after)?;
-        if whole.data().len() <= LONGEST {
-            return Ok(whole);
-        }
-        let line = self.0.read_span(span, 0, 0)?;
-        let start = self.letter_at(span.offset().saturating_sub(AROUND)).max(line_start(&self.0, span.offset()));
-        let end = self.letter_at(span.offset() + span.len().min(LONGEST) + AROUND);
-        let piece = &self.0[start..end];
-        let piece =
-            &piece[..piece[span.offset() - start..].find('\n').map_or(piece.len(), |at| span.offset() - start + at)];
-        let column = self.0[line_start(&self.0, span.offset())..start].chars().count();
-        let place = (start, piece.len()).into();
-        Ok(Box::new(MietteSpanContents::new(piece.as_bytes(), place, line.line(), column, 1)))
-    }
-}
-
-impl Excerpt {
-    /// The nearest place at or before this one where a letter begins.
-    fn letter_at(&self, place: usize) -> usize {
-        let place = place.min(self.0.len());
-        (0..=place).rev().find(|place| self.0.is_char_boundary(*place)).unwrap_or(0)
-    }
-}
-
-fn line_start(text: &str, place: usize) -> usize {
-    text[..place].rfind('\n').map_or(0, |at| at + 1)
+    Text::new(path.display().to_string(), text.to_owned(), Vec::new())
 }
 
 #[cfg(test)]
 mod tests {
+    use miette::SourceSpan;
+
     use super::*;
     use crate::drawn::{drawn, has};
 
@@ -144,5 +100,17 @@ mod tests {
         for end in [0, long.len()] {
             assert!(report(&long, end..end).len() < 4_000);
         }
+    }
+
+    #[test]
+    fn cells_have_lines_of_their_own() {
+        let cells = vec![Cell { start: 0, number: 1 }, Cell { start: 16, number: 3 }];
+        let text = Text::new("a.wxmx".to_owned(), "f(x):=x$\ng: 1;\n\nh: oops;\n".to_owned(), cells);
+        let report = |place: std::ops::Range<usize>| drawn(&Wrong { text: text.clone(), span: place.into() });
+        has(&report(19..23), &["a.wxmx, input cell 3:1:4", "h: oops"]);
+        assert!(!report(19..23).contains("g: 1"), "{}", report(19..23));
+        has(&report(9..10), &["a.wxmx, input cell 1:2:1", "f(x):=x", "g: 1"]);
+        has(&report(25..25), &["a.wxmx, input cell 3"]);
+        assert_eq!(text.places([9, 19].into_iter()), ["a.wxmx, input cell 1:2:1", "a.wxmx, input cell 3:1:4"]);
     }
 }

@@ -33,19 +33,41 @@ pub fn statements(text: &str) -> Vec<Statement> {
     found
 }
 
+/// Where a comment or string begins that is never closed.
+pub fn unclosed(text: &str) -> Option<usize> {
+    let mut at = 0;
+    while at < text.len() {
+        at += match enclosed_len(&text[at..]) {
+            Some(None) => return Some(at),
+            Some(Some(len)) => len,
+            None => token_len(&text[at..]),
+        };
+    }
+    None
+}
+
 /// Length of what must be kept together at the start of a text: a comment, a string, an escaped letter, a letter.
 fn token_len(text: &str) -> usize {
+    if let Some(len) = enclosed_len(text) {
+        return len.unwrap_or(text.len());
+    }
     let mut chars = text.chars();
     match chars.next() {
-        Some('/') if text.starts_with("/*") => comment_len(text),
-        Some('"') => string_len(text),
         Some('\\') => 1 + chars.next().map_or(0, char::len_utf8),
         first => first.map_or(0, char::len_utf8),
     }
 }
 
+/// Length of the comment or string that a text begins with, or no length if it is never closed.
+fn enclosed_len(text: &str) -> Option<Option<usize>> {
+    if text.starts_with("/*") {
+        return Some(comment_len(text));
+    }
+    text.starts_with('"').then(|| string_len(text))
+}
+
 /// Comments nest.
-fn comment_len(text: &str) -> usize {
+fn comment_len(text: &str) -> Option<usize> {
     let mut depth = 0;
     let mut at = 0;
     while at < text.len() {
@@ -58,21 +80,21 @@ fn comment_len(text: &str) -> usize {
         depth += deeper;
         at += step;
         if depth == 0 {
-            return at;
+            return Some(at);
         }
     }
-    text.len()
+    None
 }
 
-fn string_len(text: &str) -> usize {
+fn string_len(text: &str) -> Option<usize> {
     let mut escaped = false;
     for (at, c) in text.char_indices().skip(1) {
         match c {
-            '"' if !escaped => return at + 1,
+            '"' if !escaped => return Some(at + 1),
             _ => escaped = c == '\\' && !escaped,
         }
     }
-    text.len()
+    None
 }
 
 #[cfg(test)]
@@ -95,5 +117,8 @@ mod tests {
         assert!(!statements("x: 1$ y: é").last().is_some_and(|last| last.ended));
         assert!(statements("/* é never closed").is_empty());
         assert!(statements("").is_empty());
+        for (text, open) in [("x: \"a", Some(3)), ("/* \" */ /* b", Some(8)), ("\"/*\" x\\\" /**/", None), ("", None)] {
+            assert_eq!(unclosed(text), open, "{text}");
+        }
     }
 }

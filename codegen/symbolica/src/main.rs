@@ -19,8 +19,11 @@ struct Cli {
     #[arg(long)]
     folder: Option<PathBuf>,
     /// Generate the kernels of this worksheet
-    #[arg(long)]
+    #[arg(long, requires = "module")]
     worksheet: Option<PathBuf>,
+    /// The module that they stand in
+    #[arg(long)]
+    module: Option<String>,
     /// Generate nothing: prove these kernels equal to what Maxima derives from the worksheets of the folder
     #[arg(long, requires = "folder")]
     kernels: Option<PathBuf>,
@@ -29,7 +32,7 @@ struct Cli {
 impl Cli {
     fn task(self) -> Option<Task> {
         match (self.folder, self.worksheet, self.kernels) {
-            (_, Some(worksheet), _) => Some(Task::Worksheet(worksheet)),
+            (_, Some(worksheet), _) => self.module.map(|module| Task::Worksheet(worksheet, module)),
             (Some(folder), _, Some(kernels)) => Some(Task::Rederived { folder, kernels }),
             (folder, ..) => folder.map(Task::Folder),
         }

@@ -19,8 +19,8 @@ use thiserror::Error;
 pub enum Task {
     /// All families of a folder are generated.
     Folder(PathBuf),
-    /// One worksheet is generated.
-    Worksheet(PathBuf),
+    /// One worksheet is generated, as a module of this name.
+    Worksheet(PathBuf, String),
     /// Nothing is generated: the kernels of a folder are proved equal to what Maxima derives from the worksheets of another.
     Rederived {
         /// The worksheets.
@@ -70,7 +70,9 @@ pub fn work(task: &Task, parent: u32) -> Result<(), WorkError> {
     let generated = match task {
         Task::Folder(folder) => generated(&families(folder)?)?,
         // the command has said what is wrong with the formulas that are not there
-        Task::Worksheet(worksheet) => generated(&[Family::sheet(worksheet)?.family])?,
+        Task::Worksheet(worksheet, module) => {
+            generated(&[Family { name: module.clone(), ..Family::sheet(worksheet)?.family }])?
+        }
         Task::Rederived { folder, kernels } => {
             rederived(folder, kernels)?;
             Generated::default()

@@ -79,11 +79,16 @@ pub(super) fn check_owner(folder: &Path, files: &BTreeMap<String, String>) -> Re
         let path = folder.join(name);
         let Ok(old) = fs::read_to_string(&path) else { continue };
         let (old, new) = (first_line(&old), first_line(text));
-        if worksheet_of(old) != worksheet_of(new) {
+        if !is_same_worksheet(old, new) {
             return Err(OwnCrateError::OtherWorksheet { path, first_line: old.to_owned() });
         }
     }
     Ok(())
+}
+
+/// Whether the first lines of two modules name one worksheet.
+pub(super) fn is_same_worksheet(old: &str, new: &str) -> bool {
+    matches!((worksheet_of(old), worksheet_of(new)), (Some(old), Some(new)) if old.is_same(&new))
 }
 
 /// The modules that an earlier version of this command wrote beside its `src/lib.rs`, by file name.

@@ -101,7 +101,9 @@ fn start(generator: &Path, source: &Source, turn: &Turn) -> io::Result<Child> {
     generator.arg("--parent").arg(std::process::id().to_string());
     match source {
         Source::Folder(folder) => generator.arg("--folder").arg(folder),
-        Source::Worksheet(worksheet) => generator.arg("--worksheet").arg(worksheet),
+        Source::Worksheet { worksheet, module } => {
+            generator.arg("--worksheet").arg(worksheet).arg("--module").arg(module)
+        }
         Source::Rederived { folder, kernels, allow_system } => {
             if *allow_system {
                 generator.env(ALLOW_SYSTEM_VARIABLE, "1");

@@ -136,6 +136,14 @@ pub fn free_module_name(stem: &str) -> String {
     free_name(&short, |name| module_name(name).is_ok())
 }
 
+/// A module's name for the stem of a worksheet where others are taken.
+#[must_use]
+pub fn free_module_name_beside(stem: &str, is_taken: impl Fn(&str) -> bool) -> String {
+    let name = free_module_name(stem);
+    let others = (2_u64..).map(|number| format!("{name}_{number}"));
+    std::iter::once(name.clone()).chain(others).find(|name| !is_taken(name)).unwrap_or(name)
+}
+
 /// A Rust name for a Maxima name: the snake_case one, or one made of it that is free.
 #[must_use]
 pub fn free_name(maxima: &str, is_free: impl Fn(&str) -> bool) -> String {
@@ -239,7 +247,11 @@ mod tests {
         for (stem, module) in pairs {
             assert_eq!(free_module_name(stem), module, "{stem}");
         }
+        let beside = |stem: &str, taken: &[&str]| free_module_name_beside(stem, |name| taken.contains(&name));
+        assert_eq!(beside("a b", &["a_b", "a_b_2"]), "a_b_3");
+        assert_eq!(beside("fn", &["fn"]), "fn_value");
         for stem in ["a".repeat(250), "aB".repeat(120), "1_".repeat(100), "\u{e9}_".repeat(60)] {
+            assert_eq!(module_name(&beside(&stem, &[&free_module_name(&stem)])), Ok(()), "{stem}");
             assert_eq!(module_name(&free_module_name(&stem)), Ok(()), "{stem}");
         }
     }

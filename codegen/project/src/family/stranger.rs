@@ -1,5 +1,6 @@
 //! A worksheet that nobody wrote a contract for: its definitions are its reference expressions.
 
+mod cores;
 mod judged;
 mod mistake;
 mod summary;
@@ -9,7 +10,8 @@ use std::path::Path;
 
 use super::super::contract::{self, Contract, FamilyInfo, Input, KernelContract, ResultContract, TYPICAL};
 use super::super::domain::Domain;
-use super::super::{source, worksheet};
+use super::super::script::Script;
+use super::super::worksheet;
 use super::{Family, FamilyError, Paths};
 use crate::worksheet::Formula;
 use judged::{Judged, Sound, assumptions_of};
@@ -40,6 +42,9 @@ pub(super) fn load(path: &Path) -> Result<Sheet, FamilyError> {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let paths = Paths { worksheet: path.to_owned(), ..Paths::new(folder, &stem) };
     let name = contract::free_module_name(&stem);
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(CORES)) {
+        return load_cores(path, name, paths);
+    }
     let contract = match paths.contract.exists() {
         true => Some(contract::load_under_any_name(&paths.contract)?),
         false => None,
@@ -54,14 +59,14 @@ pub(super) fn load(path: &Path) -> Result<Sheet, FamilyError> {
         }
         contract => contract,
     };
-    let text = source::read(path, "name a Maxima worksheet: a text in UTF-8 of definitions f(x,y):=..$")?;
-    let judged = Judged::new(&text, files_beside(path, &text));
+    let script = Script::load(path)?;
+    let judged = Judged::new(script.text(), files_beside(path, script.text()));
     let mut contract = contract.unwrap_or_else(|| contract_of(&file_name(path), &judged.reading.formulas));
     let (sound, mistakes) = judged.against(&contract);
     let Sound { kernels, references, summary } = sound;
     contract.kernels = kernels;
-    let error = (!mistakes.is_empty()).then(|| WorksheetError::new(path, &text, mistakes));
-    let places = source::places(path, &text, references.iter().map(|reference| reference.span.start));
+    let error = (!mistakes.is_empty()).then(|| WorksheetError::new(path, script.shown(), mistakes));
+    let places = script.places(references.iter().map(|reference| reference.span.start));
     Ok(Sheet { family: Family { name, contract, references, places, paths }, error, summary })
 }
 
@@ -75,15 +80,30 @@ fn files_beside(path: &Path, text: &str) -> BTreeMap<String, String> {
             let stays = Path::new(&name).components().all(|part| matches!(part, std::path::Component::Normal(_)));
             let candidates = [folder.join(&name), folder.join(format!("{name}.mac"))];
             let file = candidates.iter().find(|file| stays && file.is_file() && *file != path);
-            if let Some(text) = file.and_then(|file| source::read(file, "").ok())
+            if let Some(script) = file.and_then(|file| Script::load(file).ok())
                 && !found.contains_key(&name)
             {
-                open.push(text.clone());
-                found.insert(name, text);
+                open.push(script.text().to_owned());
+                found.insert(name, script.text().to_owned());
             }
         }
     }
     found
+}
+
+/// How the names of files of FPCores end.
+const CORES: &str = "fpcore";
+
+fn load_cores(path: &Path, name: String, paths: Paths) -> Result<Sheet, FamilyError> {
+    let script = Script::load(path)?;
+    let (contract, references, mut mistakes) = cores::judged(script.text(), &file_name(path), contract_of);
+    if paths.contract.exists() {
+        mistakes.push(WorksheetMistake::Contract { contract: paths.contract.clone() });
+    }
+    mistakes.sort_by_key(|mistake| mistake.span().map(|span| span.offset()));
+    let error = (!mistakes.is_empty()).then(|| WorksheetError::new(path, script.shown(), mistakes));
+    let places = script.places(references.iter().map(|reference| reference.span.start));
+    Ok(Sheet { family: Family { name, contract, references, places, paths }, error, summary: Summary::default() })
 }
 
 fn file_name(path: &Path) -> String {

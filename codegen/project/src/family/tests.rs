@@ -238,3 +238,79 @@ fn formulas_that_grow_without_measure_are_refused() {
     (1..60).for_each(|level| text += &format!("f{level}(x):=f{}(x)*f{}(x)$", level - 1, level - 1));
     has(&stranger(&text).unwrap_err(), &["grow to more than 100000 terms"]);
 }
+
+#[test]
+fn cores_become_kernels_with_their_preconditions() {
+    let cores = "(FPCore (x) :name \"NMSE example 3.1\" :cite (hamming-1987) :pre (>= x 0) (- (sqrt (+ x 1)) (sqrt x)))\n\
+                 (FPCore square (x) (* x x))\n(FPCore (x y) :name \"Calls another.\" (+ (square x) (square (square y))))";
+    let folder = folder(&[("my.fpcore", cores)]);
+    let family = &families(folder.path()).unwrap()[0];
+    let kernel = |at: usize| &family.contract.kernels[at];
+    assert_eq!(family.name, "my");
+    assert_eq!((kernel(0).name.as_str(), kernel(0).doc.as_str()), ("nmse_example_3_1", "NMSE example 3.1."));
+    assert_eq!(kernel(0).source, "my.fpcore, citing hamming-1987");
+    assert!(kernel(0).domain.texts().eq(["x>=0"]));
+    assert_eq!((kernel(1).name.as_str(), print(&family.references[1].body)), ("square", "x*x".to_owned()));
+    assert_eq!(
+        (kernel(2).name.as_str(), print(&family.references[2].body)),
+        ("calls_another", "x*x+y*y*(y*y)".to_owned())
+    );
+    assert!(family.places[1].ends_with("my.fpcore:2:1"), "{}", family.places[1]);
+}
+
+#[test]
+fn what_no_kernel_can_be_made_of_is_named_in_its_file() {
+    let cores = "(FPCore f (x)\n  (+ 1 (expm1 x)))\n(FPCore g (x)\n :pre (< (sqrt x) 2) x)\n(FPCore h (x)\n (if (< x 1) x 2))\n\
+                 (FPCore fine (x) x)\n(FPCore i (x) (while x))\n";
+    let folder = folder(&[("my.fpcore", cores)]);
+    let Sheet { family, error, .. } = Family::sheet(&folder.path().join("my.fpcore")).unwrap();
+    assert_eq!(family.contract.kernels.iter().map(|kernel| kernel.name.as_str()).collect::<Vec<_>>(), ["fine"]);
+    has(
+        &drawn(&error.unwrap()),
+        &[
+            "4 mistakes",
+            "`f` calls `expm1`, which kernels cannot compute",
+            "my.fpcore:2:8",
+            "`g`: a side of the domain condition is not a rational function",
+            "my.fpcore:4:10",
+            "`h`: an `if` has no place",
+            "my.fpcore:6:2",
+            "`while` is no formula",
+            "my.fpcore:8:15",
+        ],
+    );
+    std::fs::write(folder.path().join("my.toml"), CONTRACT).unwrap();
+    let sheet = Family::sheet(&folder.path().join("my.fpcore")).unwrap();
+    has(&drawn(&sheet.error.unwrap()), &["there is a contract beside the cores", "my.toml"]);
+}
+
+#[test]
+fn worksheets_of_one_name_have_modules_of_their_own() {
+    let folder = folder(&[
+        ("a b.mac", "f(x):=x$"),
+        ("a-b.wxm", "f(x):=x$"),
+        ("a_b.dem", "f(x):=x$"),
+        ("a_b.mac", "f(x):=x$"),
+        ("con.mac", "f(x):=x$"),
+        ("\u{65e5}.mac", "f(x):=x$"),
+        ("\u{672c}.mac", "f(x):=x$"),
+    ]);
+    let found = families(folder.path()).unwrap();
+    let file = |family: &Family| family.paths.worksheet.file_name().unwrap().to_string_lossy().into_owned();
+    let pairs: Vec<(String, String)> = found.iter().map(|family| (family.name.clone(), file(family))).collect();
+    let pairs: Vec<(&str, &str)> = pairs.iter().map(|(name, file)| (name.as_str(), file.as_str())).collect();
+    assert_eq!(
+        pairs,
+        [
+            ("a_b", "a_b.mac"),
+            ("a_b_2", "a_b.dem"),
+            ("a_b_3", "a b.mac"),
+            ("a_b_4", "a-b.wxm"),
+            ("con_value", "con.mac"),
+            ("x", "\u{65e5}.mac"),
+            ("x_2", "\u{672c}.mac"),
+        ]
+    );
+    std::fs::write(folder.path().join("a_b.toml"), CONTRACT).unwrap();
+    has(&drawn(&families(folder.path()).unwrap_err()), &["a_b.toml has two worksheets", "a_b.mac", "a_b.dem"]);
+}

@@ -5,7 +5,8 @@ use std::time::Duration;
 use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
-use super::super::source::{ReadError, Text};
+use super::super::script::ScriptError;
+use super::super::source::Text;
 use super::guard::Reaching;
 
 /// Why Maxima did not derive anything.
@@ -14,7 +15,7 @@ pub enum ProcessError {
     /// The worksheet cannot be read.
     #[error(transparent)]
     #[diagnostic(transparent)]
-    Read(#[from] ReadError),
+    Script(#[from] ScriptError),
     /// The worksheet wants more than to compute.
     #[error(transparent)]
     #[diagnostic(transparent)]

@@ -10,7 +10,8 @@ use closedform_maxima::{Mention, mentions};
 use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
-use super::super::source::{self, Text};
+use super::super::script::Script;
+use super::super::source::Text;
 
 /// Functions of Maxima that start programs, read or write files, or run Lisp.
 const REFUSED: [&str; 71] = [
@@ -113,10 +114,10 @@ pub struct Reaching {
 }
 
 /// Refuses a worksheet that calls, quotes or hands on a name that reaches beyond it.
-pub(super) fn check(path: &Path, text: &str) -> Result<(), Box<Reaching>> {
-    let reaching = mentions(text).into_iter().find_map(|mention| Some((reach(&mention)?, mention)));
+pub(super) fn check(script: &Script) -> Result<(), Box<Reaching>> {
+    let reaching = mentions(script.text()).into_iter().find_map(|mention| Some((reach(&mention)?, mention)));
     reaching.map_or(Ok(()), |(what, mention)| {
-        let (text, place) = (source::named(path, text), mention.span.into());
+        let (text, place) = (script.shown(), mention.span.into());
         Err(Box::new(Reaching { name: mention.name, what, text, place }))
     })
 }
@@ -157,6 +158,10 @@ mod tests {
     use super::*;
     use crate::drawn::{drawn, has};
 
+    fn script(text: &str) -> Script {
+        Script::of(Path::new("my.mac"), text.as_bytes()).unwrap()
+    }
+
     #[test]
     fn what_reaches_beyond_a_worksheet_is_shown() {
         for (text, name) in [
@@ -171,7 +176,7 @@ mod tests {
             ("draw3d(explicit(x,x,0,1))$", "draw3d"),
             ("eval_string(\"system(1)\")$", "system"),
         ] {
-            let said = drawn(check(Path::new("my.mac"), text).expect_err(text).as_ref());
+            let said = drawn(check(&script(text)).expect_err(text).as_ref());
             has(&said, &[&format!("the worksheet calls `{name}`"), "my.mac", "--allow-system"]);
         }
     }
@@ -179,6 +184,6 @@ mod tests {
     #[test]
     fn what_computes_is_let_through() {
         let text = "load(facexp)$ load(\"diag\")$ system: [a=1]$ load: 3$ solve(system, a)$ printed(e):=eval_string(string(e))$";
-        assert!(check(Path::new("my.mac"), text).is_ok());
+        assert!(check(&script(text)).is_ok());
     }
 }

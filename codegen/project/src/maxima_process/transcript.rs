@@ -1,9 +1,8 @@
 //! What Maxima printed, read: messages of the driver, or which statement failed and how.
 
 use std::ops::Range;
-use std::path::Path;
 
-use super::super::source;
+use super::super::script::Script;
 use super::Marks;
 use super::child::{Ending, Run};
 use super::error::{LostMaxima, ProcessError, Used};
@@ -132,8 +131,8 @@ fn question(lines: &[String], marks: &Marks) -> String {
 
 impl Failure {
     /// The failure with its place in the worksheet.
-    pub(super) fn at(self, path: &Path, worksheet: &str, places: &[Range<usize>]) -> ProcessError {
-        let text = source::named(path, worksheet);
+    pub(super) fn at(self, script: &Script, places: &[Range<usize>]) -> ProcessError {
+        let text = script.shown();
         let place = self.statement.and_then(|statement| places.get(statement)).map(|place| place.clone().into());
         match self.kind {
             Kind::Asked(question) => ProcessError::Asked { question, text, place },

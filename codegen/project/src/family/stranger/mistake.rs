@@ -1,6 +1,6 @@
 //! What can be wrong with a worksheet.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use closedform_maxima::Expr;
 use miette::{Diagnostic, SourceSpan};
@@ -8,6 +8,7 @@ use thiserror::Error;
 
 use super::super::reference::ReferenceMistake;
 use crate::domain::ConditionError;
+use crate::fpcore::CoreMistake;
 use crate::source::{self, Text};
 use crate::worksheet::Refusal;
 
@@ -39,6 +40,17 @@ pub enum WorksheetMistake {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Body(#[from] ReferenceMistake),
+    /// A core that no kernel can be made of.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Core(#[from] CoreMistake),
+    /// A contract beside cores.
+    #[error("there is a contract beside the cores, which state their domains themselves")]
+    #[diagnostic(help("write `:pre` and `:name` into the cores, and remove or rename {}", contract.display()))]
+    Contract {
+        /// The contract.
+        contract: PathBuf,
+    },
     /// A name whose formula cannot be known.
     #[error("{what}")]
     #[diagnostic(help("{remedy}"))]
@@ -68,11 +80,11 @@ impl WorksheetError {
         self.of_text
     }
 
-    pub(super) fn new(path: &Path, text: &str, mistakes: Vec<WorksheetMistake>) -> Self {
+    pub(super) fn new(path: &Path, text: Text, mistakes: Vec<WorksheetMistake>) -> Self {
         let count = source::count(mistakes.len());
         let of_text = mistakes.iter().any(|mistake| matches!(mistake, WorksheetMistake::Text(_)));
         let mistakes = mistakes.into_iter().take(source::SHOWN).collect();
-        Self { path: path.to_owned(), count, of_text, text: source::named(path, text), mistakes }
+        Self { path: path.to_owned(), count, of_text, text, mistakes }
     }
 }
 
@@ -96,7 +108,8 @@ impl WorksheetMistake {
         match self {
             Self::Text(error) => Some(error.span().into()),
             Self::Body(mistake) => mistake.span(),
-            Self::Nothing => None,
+            Self::Core(mistake) => Some(mistake.span),
+            Self::Nothing | Self::Contract { .. } => None,
             Self::Refused { span, .. } => Some(*span),
         }
     }
