@@ -22,7 +22,8 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, ClapArgs)]
 pub struct Args {
     /// A worksheet of definitions `f(x,y) := ..` to make a crate of, instead of this project's kernels: a text of Maxima (.mac,
-    /// .dem), or what wxMaxima saves (.wxm, .wxmx)
+    /// .dem), what wxMaxima saves (.wxm, .wxmx), or
+    /// FPCores (.fpcore)
     #[arg(long, value_name = "FILE", requires = "out")]
     input: Option<PathBuf>,
     /// The folder of that crate: a new one, or one with a crate, where only src/generated/ is written

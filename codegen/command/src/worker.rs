@@ -139,7 +139,7 @@ pub fn run_sheet(worksheet: &Path, module: &str, strict: bool) -> Result<Generat
     let nothing = family.contract.kernels.is_empty();
     match error {
         Some(error) if nothing => Err(FamilyError::from(error).into()),
-        Some(error) if strict || error.is_of_text() => made_of(&source, Some(error)),
+        Some(error) if strict || error.is_of_file() => made_of(&source, Some(error)),
         _ => {
             summary.lines.iter().for_each(|line| note(line));
             match summary.passed_over {

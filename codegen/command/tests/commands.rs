@@ -255,7 +255,7 @@ fn a_folder_that_holds_something_else_is_left_alone() {
 fn a_worksheet_that_only_maxima_can_run_says_so() {
     let folder = tempfile::tempdir().unwrap();
     let worksheet = folder.path().join("my.mac");
-    fs::write(&worksheet, "s: solve(x^2=2,x)$\nf(x) := x$").unwrap();
+    fs::write(&worksheet, "s: solve(x^2=2,x)$\nf(x) := rhs(s[1])*x$").unwrap();
     let out = folder.path().join("out");
     let arguments = making(&worksheet, &out);
     let said = fails(&repository(), &arguments);

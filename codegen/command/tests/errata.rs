@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// A project with the errata of one family alone.
-fn one_scan() -> tempfile::TempDir {
+fn one_family() -> tempfile::TempDir {
     let project = project();
     let errata = project.path().join("maxima-ref/errata");
     for entry in fs::read_dir(&errata).unwrap() {
@@ -40,10 +40,10 @@ fn refuses(project: &Path, arguments: &[&str], words: &[&str]) {
 
 #[test]
 fn derive_writes_the_page_and_check_compares_its_list() {
-    let project = one_scan();
+    let project = one_family();
     refuses(project.path(), &["check"], &["missing: ", "ERRATA.md", "closedform derive"]);
     let said = succeeds(project.path(), &["derive", "fly_axis"]);
-    assert!(said.contains("ERRATA.md: the verdict on "), "{said}");
+    assert!(said.contains("ERRATA.md: the verdicts on "), "{said}");
     edit(&page(project.path()), "4.6 tmp | equal |", "4.6 tmp | garbled |");
     let words = ["stale: ", "ERRATA.md", "-4.6 tmp: garbled", "+4.6 tmp: equal", "closedform derive"];
     refuses(project.path(), &["check"], &words);
@@ -51,7 +51,7 @@ fn derive_writes_the_page_and_check_compares_its_list() {
 
 #[test]
 fn a_wrong_verdict_names_its_row_and_leaves_everything_as_it_was() {
-    let project = one_scan();
+    let project = one_family();
     fs::write(page(project.path()), "written by `closedform derive`: the page before").unwrap();
     let references = project.path().join("maxima-ref/fly_axis.ref");
     fs::write(&references, "/* written by `closedform derive fly_axis` before */").unwrap();
@@ -64,7 +64,7 @@ fn a_wrong_verdict_names_its_row_and_leaves_everything_as_it_was() {
 
 #[test]
 fn check_with_maxima_computes_every_verdict_and_the_page() {
-    let project = one_scan();
+    let project = one_family();
     succeeds(project.path(), &["derive", "fly_axis"]);
     edit(&page(project.path()), "4.6 tmp | equal |  |", "4.6 tmp | equal | really |");
     let words = ["stale: ", "ERRATA.md", "-| 4.6 tmp | equal | really |", "closedform derive"];
@@ -74,8 +74,8 @@ fn check_with_maxima_computes_every_verdict_and_the_page() {
 }
 
 #[test]
-fn families_without_a_scan_have_no_page() {
-    let project = one_scan();
+fn families_without_errata_have_no_page() {
+    let project = one_family();
     succeeds(project.path(), &["derive", "pvt"]);
     assert!(!page(project.path()).exists());
     fs::remove_dir_all(project.path().join("maxima-ref/errata")).unwrap();

@@ -101,9 +101,10 @@ fn load_cores(path: &Path, name: String, paths: Paths) -> Result<Sheet, FamilyEr
         mistakes.push(WorksheetMistake::Contract { contract: paths.contract.clone() });
     }
     mistakes.sort_by_key(|mistake| mistake.span().map(|span| span.offset()));
+    let summary = Summary::of_mistakes(script.text(), &mistakes);
     let error = (!mistakes.is_empty()).then(|| WorksheetError::new(path, script.shown(), mistakes));
     let places = script.places(references.iter().map(|reference| reference.span.start));
-    Ok(Sheet { family: Family { name, contract, references, places, paths }, error, summary: Summary::default() })
+    Ok(Sheet { family: Family { name, contract, references, places, paths }, error, summary })
 }
 
 fn file_name(path: &Path) -> String {

@@ -263,7 +263,9 @@ fn what_no_kernel_can_be_made_of_is_named_in_its_file() {
     let cores = "(FPCore f (x)\n  (+ 1 (expm1 x)))\n(FPCore g (x)\n :pre (< (sqrt x) 2) x)\n(FPCore h (x)\n (if (< x 1) x 2))\n\
                  (FPCore fine (x) x)\n(FPCore i (x) (while x))\n";
     let folder = folder(&[("my.fpcore", cores)]);
-    let Sheet { family, error, .. } = Family::sheet(&folder.path().join("my.fpcore")).unwrap();
+    let Sheet { family, error, summary } = Family::sheet(&folder.path().join("my.fpcore")).unwrap();
+    assert_eq!((summary.passed_over, summary.lines.len()), (4, 4));
+    assert!(summary.lines[0].starts_with("line 2: passed over: `f` calls `expm1`"), "{:?}", summary.lines);
     assert_eq!(family.contract.kernels.iter().map(|kernel| kernel.name.as_str()).collect::<Vec<_>>(), ["fine"]);
     has(
         &drawn(&error.unwrap()),

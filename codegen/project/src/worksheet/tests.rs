@@ -1,4 +1,4 @@
-//! What worksheets come to. Every value here is what Maxima 5.46 gives, but for arithmetic that it carries out.
+//! What worksheets come to, by Maxima's rules of scopes, evaluation and assignment.
 
 use super::*;
 use closedform_maxima::print;

@@ -20,7 +20,7 @@ pub struct WorksheetError {
     pub path: std::path::PathBuf,
     /// How much is wrong.
     count: String,
-    of_text: bool,
+    of_file: bool,
     /// Its text.
     #[source_code]
     pub text: Text,
@@ -75,16 +75,20 @@ pub enum WorksheetMistake {
 }
 
 impl WorksheetError {
-    /// Whether the text is no Maxima, so that nothing can be said of it.
-    pub fn is_of_text(&self) -> bool {
-        self.of_text
+    /// Whether the file as a whole is wrong, so that nothing of it is taken: its text cannot be read, or a contract stands
+    /// beside cores.
+    pub fn is_of_file(&self) -> bool {
+        self.of_file
     }
 
     pub(super) fn new(path: &Path, text: Text, mistakes: Vec<WorksheetMistake>) -> Self {
         let count = source::count(mistakes.len());
-        let of_text = mistakes.iter().any(|mistake| matches!(mistake, WorksheetMistake::Text(_)));
+        let of_file = |mistake: &WorksheetMistake| {
+            matches!(mistake, WorksheetMistake::Text(_) | WorksheetMistake::Contract { .. })
+        };
+        let of_file = mistakes.iter().any(of_file);
         let mistakes = mistakes.into_iter().take(source::SHOWN).collect();
-        Self { path: path.to_owned(), count, of_text, text, mistakes }
+        Self { path: path.to_owned(), count, of_file, text, mistakes }
     }
 }
 

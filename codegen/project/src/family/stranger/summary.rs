@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::super::reference::ReferenceMistake;
+use super::mistake::WorksheetMistake;
 use crate::contract::KernelContract;
 use crate::worksheet::{Formula, Reading};
 
@@ -18,6 +19,15 @@ pub struct Summary {
     pub passed_over: usize,
 }
 
+impl Summary {
+    /// Of a file in which these mistakes are all that is passed over.
+    pub(super) fn of_mistakes(text: &str, mistakes: &[WorksheetMistake]) -> Self {
+        let place = |mistake: &WorksheetMistake| mistake.span().map_or(1, |span| line_of(text, span.offset()));
+        let lines = mistakes.iter().map(|mistake| (place(mistake), mistake.to_string())).collect();
+        Self { lines: passed_over(lines), passed_over: mistakes.len() }
+    }
+}
+
 /// Of a worksheet with this text, of which these kernels are made, and where these mistakes are in others.
 pub(super) fn summary(
     text: &str,
@@ -25,7 +35,7 @@ pub(super) fn summary(
     kernels: &[KernelContract],
     unfit: &[ReferenceMistake],
 ) -> Summary {
-    let line = |at: usize| text[..at].matches('\n').count() + 1;
+    let line = |at: usize| line_of(text, at);
     let formulas = || reading.formulas.iter();
     let is_taken = |formula: &&Formula| {
         let of_formula =
@@ -67,12 +77,24 @@ pub(super) fn summary(
             lines.push(format!("`{}` takes {} too, which no statement gives a value", formula.name, listed(&free)));
         }
     }
-    let passed_over = skipped.len();
-    lines.extend(skipped.into_iter().take(MOST).map(|(line, what)| format!("line {line}: passed over: {what}")));
-    if passed_over > MOST {
-        lines.push(format!("and {} others are passed over", passed_over - MOST));
+    let count = skipped.len();
+    lines.extend(passed_over(skipped));
+    Summary { lines, passed_over: count }
+}
+
+fn line_of(text: &str, at: usize) -> usize {
+    text[..at].matches('\n').count() + 1
+}
+
+/// A line for each thing that is passed over, up to a limit, after the line of the file in which it stands.
+fn passed_over(skipped: Vec<(usize, String)>) -> Vec<String> {
+    let count = skipped.len();
+    let line = |(line, what): (usize, String)| format!("line {line}: passed over: {what}");
+    let mut lines: Vec<String> = skipped.into_iter().take(MOST).map(line).collect();
+    if count > MOST {
+        lines.push(format!("and {} others are passed over", count - MOST));
     }
-    Summary { lines, passed_over }
+    lines
 }
 
 fn listed(names: &[&str]) -> String {
