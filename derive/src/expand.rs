@@ -258,8 +258,8 @@ impl<'a> Parts<'a> {
         let [doubt, doubts, row, any] =
             ["__doubt", "__doubts", "__row", "__any"].map(|name| Ident::new(name, Span::mixed_site()));
         let (pattern, blocks) = self.zipped(
-            |input| quote!(#input.chunks(::closedform::__private::BLOCK)),
-            |result| quote!(#result.chunks_mut(::closedform::__private::BLOCK)),
+            |input| quote!(::closedform::__private::Blocks(#input)),
+            |result| quote!(::closedform::__private::BlocksMut(#result)),
         );
         let (_, rows) = self.zipped(|input| quote!(#input.iter()), |result| quote!(#result.iter_mut()));
         quote! {

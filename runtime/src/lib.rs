@@ -48,6 +48,7 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+mod blocks;
 mod error;
 mod fast;
 mod info;
@@ -71,11 +72,9 @@ pub use program::{Fast, Program};
 /// What expansions of `#[kernel]` call; not for people.
 #[doc(hidden)]
 pub mod __private {
+    pub use crate::blocks::{BLOCK, Blocks, BlocksMut};
     pub use crate::fast::{fast, quick_fast, refined, with_bound};
     pub use crate::shape::{checked, faithful, quick, same_length, single, value};
     pub use closedform_arith::table::{Instruction, Source, Sum, Table};
     pub use closedform_arith::{Function, Relation, Terms};
-
-    /// Rows of a batch that are computed together: what they need stays in the fastest cache.
-    pub const BLOCK: usize = 256;
 }

@@ -141,7 +141,7 @@ fn what_is_not_equal_is_not_called_equal() {
             "one.toml has a mistake",
             "1 %o1 t: `printed` is not shown",
             "entry 1 is",
-            "one.toml:8:8",
+            "one.toml:8:11",
         ],
     );
     doctored("u < v]'''", "u > v]'''", &["entry 2 is `>` instead of `<`", "correct the transcription"]);

@@ -195,8 +195,9 @@ fn a_wrong_domain_is_told() {
 fn fast_calls_are_judged() {
     let fast = |kernel| {
         let judge = judge(kernel);
-        let points = points(&judge, Maker::Reals);
-        fast::check(&judge, &points).and(fast::check_batch(&judge, &points))
+        // of any reals few lie in a domain
+        fast::check(&judge, &points(&judge, Maker::Logarithmic))
+            .and(fast::check_batch(&judge, &points(&judge, Maker::Reals)))
     };
     for kernel in right::ALL {
         assert_eq!(fast(kernel), Ok(()));
