@@ -8,10 +8,10 @@ use crate::range;
 
 /// A compensated expression in double-double, and the sum of the magnitudes of its terms.
 ///
-/// With an n that the compensated expression's operations make ([`compensated`](crate::error_model::compensated)), |value
-/// - exact| is at most n u^2 size, where products add [`UNDERFLOW`] to the size: that much of it, times u^2, is more than
-/// a product loses when parts of it underflow. Overflow, and operands too large to split, end in a size that is infinite
-/// or a value that is NaN: both are [unsettled](Self::settled).
+/// With an n that the operations make ([`compensated`](crate::error_model::compensated)), |value - exact| is at most
+/// n u^2 size, where products add [`UNDERFLOW`] to the size: that much of it, times u^2, is more than a product loses when
+/// parts of it underflow. Overflow, and operands too large to split, end in a size that is infinite or a value that is
+/// NaN: both are [unsettled](Self::settled).
 #[derive(Clone, Copy, Debug)]
 pub struct Measured {
     value: DoubleDouble,

@@ -23,7 +23,7 @@ pub struct Kernel {
     faithful: fn(&[f64], &mut [f64]) -> Result<(), LengthError>,
     checked: fn(&[f64], &mut [f64]) -> Result<(), CallError>,
     fast: fn(&[f64], &mut [f64]) -> Result<(), LengthError>,
-    with_bound: fn(&[f64], &mut [f64], &mut [f64]) -> Result<(), LengthError>,
+    with_bound: WithBound,
     batch: Batch,
     fast_batch: Batch,
     single: fn(&[f32], &mut [f32]) -> Result<(), LengthError>,
@@ -31,6 +31,8 @@ pub struct Kernel {
     mpfr: fn(&[Mpfr], &mut [Mpfr]) -> Result<(), LengthError>,
 }
 
+type WithBound = fn(&[f64], &mut [f64], &mut [f64]) -> Result<(), LengthError>;
+type Columns<const N: usize, const M: usize> = fn([&[f64]; N], [&mut [f64]; M]) -> Result<(), LengthError>;
 type Batch = fn(&[&[f64]], &mut [&mut [f64]]) -> Result<(), LengthError>;
 
 impl Kernel {
@@ -131,7 +133,7 @@ fn by_columns<const N: usize, const M: usize>(
     info: &'static Info,
     inputs: &[&[f64]],
     results: &mut [&mut [f64]],
-    batch: fn([&[f64]; N], [&mut [f64]; M]) -> Result<(), LengthError>,
+    batch: Columns<N, M>,
 ) -> Result<(), LengthError> {
     let inputs = fixed(info, inputs)?;
     let results = fixed_mut(info, results)?;

@@ -136,7 +136,7 @@ impl Run {
             let same = |(at, (other, other_kind, _)): (usize, &(String, Kind, Range<usize>))| {
                 (*other == name && *other_kind == kind).then_some(at)
             };
-            if let Some(before) = self.defined.iter().enumerate().filter_map(same).last() {
+            if let Some(before) = self.defined.iter().enumerate().filter_map(same).next_back() {
                 let span = self.defined[before].2.clone();
                 self.reading.replaced.push((name.clone(), span));
                 self.reading.formulas.retain(|formula| formula.name != name);
