@@ -172,7 +172,7 @@ fn use_tree(rest: &mut Rest, prefix: &[String], imports: &mut Vec<Import>) {
 
 /// The names, `::` and other signs of a file, without comments, texts and what only its tests see.
 fn tokens(text: &str) -> Vec<&str> {
-    let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+    let code = text.split("\nmod tests {").next().unwrap_or_default();
     let mut tokens = Vec::new();
     let mut rest = code;
     while let Some(first) = rest.chars().next() {

@@ -119,7 +119,7 @@ const CIRCLES: [(&str, &[&str], &str); 25] = [
     ("codegen/mutants/src", &["equivalent.rs", "exam.rs"], TYPES),
     ("codegen/mutants/src/kind", &["condition.rs", "walk.rs"], RECURSION),
     ("codegen/mutants/src/kind", &["mod.rs", "whole.rs"], WHOLE),
-    ("codegen/project/src", &["contract.rs", "contract/check.rs", "contract/error.rs"], WHOLE),
+    ("codegen/project/src/worksheet", &["arrays.rs", "evaluate.rs"], RECURSION),
     ("codegen/project/src/expression", &["lower.rs", "mod.rs"], WHOLE),
     ("codegen/project/src", &["family.rs", "family/stranger.rs"], WHOLE),
     (

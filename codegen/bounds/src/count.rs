@@ -1,4 +1,4 @@
-//! Counts roundings. The count of a sum holds because its terms have one sign; where they may cancel there is no count.
+//! Counts roundings; the count of a sum holds because its terms have one sign on the domain.
 
 use crate::case::{CASES, Case, alternatives};
 use crate::correction;

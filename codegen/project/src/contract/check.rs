@@ -23,12 +23,6 @@ pub(super) fn check(raw: raw::Contract, family: Option<String>, text: &str) -> R
     if checker.mistakes.is_empty() { Ok(contract) } else { Err(checker.mistakes) }
 }
 
-/// `TIn` for `t_in`.
-pub(super) fn camel_case(name: &str) -> String {
-    let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
-    name.split('_').filter(|word| !word.is_empty() && word.is_ascii()).map(capital).collect()
-}
-
 fn family_name(name: String) -> Option<Mistake> {
     let cause = module_name(&name).err()?;
     Some(Mistake::FamilyName { name, cause })

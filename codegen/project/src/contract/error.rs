@@ -189,7 +189,7 @@ pub enum Mistake {
     },
     /// Several results without a struct.
     #[error("kernel `{kernel}` has {results} results, but no `returns`")]
-    #[diagnostic(help("name the struct that holds them, e.g. returns = \"{}\"", super::check::camel_case(kernel)))]
+    #[diagnostic(help("name the struct that holds them, e.g. returns = \"{}\"", super::names::camel_case(kernel)))]
     NoStruct {
         /// The kernel.
         kernel: String,

@@ -158,7 +158,7 @@ pub fn free_name(maxima: &str, is_free: impl Fn(&str) -> bool) -> String {
 /// The name of a struct for the results of a kernel, which is taken from then on.
 #[must_use]
 pub fn free_type_name(kernel: &str, taken: &mut std::collections::BTreeSet<String>) -> String {
-    let plain = super::check::camel_case(kernel);
+    let plain = camel_case(kernel);
     let others = (2_u64..).map(|number| format!("{plain}{number}"));
     let name = std::iter::once(plain.clone()).chain([format!("{plain}Values")]).chain(others);
     let mut free = name.filter(|name| type_name(name).is_ok() && !taken.contains(name));
@@ -199,6 +199,12 @@ fn is_snake_case(name: &str) -> bool {
     let words_filled = name.split('_').all(|word| !word.is_empty());
     let starts_with_letter = name.starts_with(|c: char| c.is_ascii_lowercase());
     words_filled && starts_with_letter && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+}
+
+/// `TIn` for `t_in`.
+pub(super) fn camel_case(name: &str) -> String {
+    let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
+    name.split('_').filter(|word| !word.is_empty() && word.is_ascii()).map(capital).collect()
 }
 
 fn is_camel_case(name: &str) -> bool {

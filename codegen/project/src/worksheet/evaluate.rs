@@ -95,7 +95,7 @@ impl Evaluator {
         if name.starts_with("%i") || name.starts_with("%o") || name.starts_with("%th") {
             let numbered = name.len() > 2 && name[2..].bytes().all(|byte| byte.is_ascii_digit());
             if numbered || name == "%th" {
-                let what = format!("`{name}` is a number of a session, which a file does not have");
+                let what = format!("`{name}` is the label of an input or output, which a file does not have");
                 return Err(Refusal::new(what, "give the result a name: `name: ..$`", span).into());
             }
         }
