@@ -11,7 +11,7 @@
 //! segment may be is divided, on the same cubic. Times are rounded to the steps of the form; each is where it was, but for
 //! half a step.
 //!
-//! Profile moves of EPICS have no velocities: drivers take means over the elements around a point. [`Buffer::longest`] makes
+//! Profile moves of EPICS have no velocities: drivers take means over the elements around a point. `Buffer::longest` makes
 //! the elements short, and the error falls with its square.
 //!
 //! [`save_scan_spec`] says what a raster scans, as scanspec has it, and [`save_constants`] the segments of a plan as constants
