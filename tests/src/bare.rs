@@ -100,23 +100,38 @@ fn read(target: &Path, messages: &str) -> Bare {
 /// The ways to call a kernel.
 #[derive(Clone, Copy)]
 enum Shape {
-    Plain,
+    Default,
     Checked,
     Faithful,
+    Fast,
+    WithBound,
     Batch,
+    FastBatch,
     Single,
 }
 
 impl Shape {
-    const ALL: [Self; 5] = [Self::Plain, Self::Checked, Self::Faithful, Self::Batch, Self::Single];
+    const ALL: [Self; 8] = [
+        Self::Default,
+        Self::Checked,
+        Self::Faithful,
+        Self::Fast,
+        Self::WithBound,
+        Self::Batch,
+        Self::FastBatch,
+        Self::Single,
+    ];
 
     fn function(self, info: &Info) -> String {
         let name = info.name.replace("::", "_");
         match self {
-            Self::Plain => format!("plain_{name}"),
+            Self::Default => format!("default_{name}"),
             Self::Checked => format!("checked_{name}"),
             Self::Faithful => format!("faithful_{name}"),
+            Self::Fast => format!("fast_{name}"),
+            Self::WithBound => format!("with_bound_{name}"),
             Self::Batch => format!("batch_{name}"),
+            Self::FastBatch => format!("fast_batch_{name}"),
             Self::Single => format!("single_{name}"),
         }
     }
@@ -126,13 +141,17 @@ impl Shape {
         let names = |prefix: char, count: usize| (0..count).map(move |i| format!("{prefix}{i}"));
         let (inputs, results) = (names('x', info.inputs.len()), names('y', info.results.len()));
         let (kind, path) = match self {
-            Self::Plain => ("f64", ""),
+            Self::Default => ("f64", ""),
             Self::Checked => ("f64", "::checked"),
             Self::Faithful => ("f64", "::faithful"),
+            Self::Fast => ("f64", "::fast"),
+            Self::WithBound => ("f64", "::with_bound"),
             Self::Batch => ("&[f64]", "::batch"),
+            Self::FastBatch => ("&[f64]", "::fast_batch"),
             Self::Single => ("f32", "::f32"),
         };
-        let results = results.filter(|_| matches!(self, Self::Batch)).map(|name| (name, "&mut [f64]"));
+        let results =
+            results.filter(|_| matches!(self, Self::Batch | Self::FastBatch)).map(|name| (name, "&mut [f64]"));
         let parameters: Vec<(String, &str)> = inputs.zip(iter::repeat(kind)).chain(results).collect();
         let declared: String = parameters.iter().map(|(name, kind)| format!("{name}: {kind}, ")).collect();
         let given: String = parameters.iter().map(|(name, _)| format!("{name}, ")).collect();

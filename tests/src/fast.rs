@@ -1,12 +1,12 @@
 //! What calls promise that bound their own errors: `fast`, its batch, and `with_bound`.
 
-use closedform::FAST_PROMISE;
+use closedform::{FAST_PROMISE, Kernel};
 use rug::Float;
 
 use crate::check::Judge;
 use crate::failure::replay;
 use crate::inputs::Points;
-use crate::shapes::same_bits;
+use crate::shapes;
 
 /// Demands of each point that `fast` keeps its promise where the domain holds and is NaN elsewhere, and that the certified error
 /// of `with_bound` is no smaller than the true one; the worst relative error.
@@ -75,19 +75,8 @@ fn within(value: f64, error: f64, exact: &Float) -> bool {
 ///
 /// The first point where it has not.
 pub fn check_batch(judge: &Judge, points: &Points) -> Result<(), String> {
-    let info = judge.kernel.info;
-    let columns: Vec<Vec<f64>> =
-        (0..info.inputs.len()).map(|input| points.list.iter().map(|point| point[input]).collect()).collect();
-    let mut results = vec![vec![0.0; points.list.len()]; info.results.len()];
-    let inputs: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
-    let mut slices: Vec<&mut [f64]> = results.iter_mut().map(Vec::as_mut_slice).collect();
-    judge.kernel.fast_batch(&inputs, &mut slices).map_err(|error| error.to_string())?;
-    for (position, inputs) in points.list.iter().enumerate() {
-        let batch: Vec<f64> = results.iter().map(|column| column[position]).collect();
+    shapes::check_rows(judge, points, Kernel::fast_batch, |inputs| {
         let [alone, ..] = calls(judge, inputs);
-        if !same_bits(&batch, &alone) {
-            return Err(format!("{}: alone {alone:?}, in a batch {batch:?}\n  {}", info.name, replay(info, inputs)));
-        }
-    }
-    Ok(())
+        alone
+    })
 }

@@ -1,6 +1,6 @@
 //! What all shapes of a call promise besides accuracy: NaN and names outside the domain, equal bits, single precision.
 
-use closedform::{CallError, Kernel, RangeError, RangeReason};
+use closedform::{CallError, Kernel, LengthError, RangeError, RangeReason};
 use rug::Float;
 
 use crate::check::Judge;
@@ -116,16 +116,33 @@ fn fits(value: f64, exact: &Float, bound: f64, lost: Option<&RangeError>) -> boo
 ///
 /// The first point where it has not.
 pub fn check_batch(judge: &Judge, points: &Points) -> Result<(), String> {
+    check_rows(judge, points, Kernel::batch, |inputs| judge.actual(inputs))
+}
+
+/// A batch over columns of inputs and results.
+pub type Columns = fn(&Kernel, &[&[f64]], &mut [&mut [f64]]) -> Result<(), LengthError>;
+
+/// Demands that a batch of all points has the bits of the calls `alone`.
+///
+/// # Errors
+///
+/// The first point where it has not.
+pub fn check_rows(
+    judge: &Judge,
+    points: &Points,
+    batch: Columns,
+    alone: impl Fn(&[f64]) -> Vec<f64>,
+) -> Result<(), String> {
     let info = judge.kernel.info;
     let columns: Vec<Vec<f64>> =
         (0..info.inputs.len()).map(|input| points.list.iter().map(|point| point[input]).collect()).collect();
     let mut results = vec![vec![0.0; points.list.len()]; info.results.len()];
     let inputs: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
     let mut slices: Vec<&mut [f64]> = results.iter_mut().map(Vec::as_mut_slice).collect();
-    judge.kernel.batch(&inputs, &mut slices).map_err(|error| error.to_string())?;
+    batch(judge.kernel, &inputs, &mut slices).map_err(|error| error.to_string())?;
     for (position, inputs) in points.list.iter().enumerate() {
         let batch: Vec<f64> = results.iter().map(|column| column[position]).collect();
-        let actual = judge.actual(inputs);
+        let actual = alone(inputs);
         if !same_bits(&batch, &actual) {
             return Err(told(judge, inputs, &points.origin, &format!("alone {actual:?}, in a batch {batch:?}")));
         }
