@@ -112,13 +112,12 @@ fn enclosures_tell_what_exact_sums_give() {
         }
         let of = |position: u8| Operand::of(values[usize::from(position)]);
         let compact = [4, 0, 1, 4, 5, 0x84, 0, 1, 6, 7, 0x84, 2, 3, 4, 5, 4, 2, 3, 6, 7];
-        let difference = |first: u8| {
-            let [a, b, c, d] = [0, 1, 2, 3].map(|after| Step::Operand(first + after));
-            // the second product first, so that it is subtracted in reverse
-            [c, d, Step::Product, a, b, Step::Product, Step::Reversed]
-        };
-        let steps =
-            difference(0).into_iter().chain(difference(4)).chain([Step::Product, Step::Negative, Step::Negative]);
+        let operands = |first: u8| [0, 1, 2, 3].map(|after| Step::Operand(first + after));
+        // c d - a b in reverse, times -e f - -g h: a wrong sign of any kind of step is left over
+        let ([a, b, c, d], [e, f, g, h]) = (operands(0), operands(4));
+        let reversed = [a, b, Step::Product, c, d, Step::Product, Step::Reversed];
+        let negative = [e, f, Step::Product, Step::Negative, g, h, Step::Product, Step::Negative, Step::Difference];
+        let steps = reversed.into_iter().chain(negative).chain([Step::Product]);
         let steps: Vec<u8> = steps.map(|step| step.byte().unwrap()).collect();
         let exact = exact::polynomial(&of, Terms::of(&compact)).unwrap();
         if let Some(found) = polynomial(&of, &steps) {
