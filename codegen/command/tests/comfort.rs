@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{closedform, edit, repository, small_project, succeeds, turn};
+use common::{closedform, edit, repository, signal, small_project, succeeds, turn};
 use std::fs;
 use std::io::Read;
 use std::process::{Child, Command, Stdio};
@@ -106,6 +106,6 @@ fn watching_survives_a_mistake_and_ends_quietly() {
 
 /// Sends what Ctrl-C sends; whether the process then ends without complaint.
 fn interrupt(child: &mut Child) -> bool {
-    let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
-    sent.is_ok_and(|sent| sent.success()) && child.wait().is_ok_and(|status| status.success())
+    signal("-INT", child.id());
+    child.wait().is_ok_and(|status| status.success())
 }

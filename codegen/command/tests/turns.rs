@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{closedform_waiting, failure, project, repository, turn};
+use common::{closedform_waiting, failure, project, repository, signal, turn};
 use std::fs::{self, OpenOptions};
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
@@ -83,12 +83,6 @@ fn at_work(project: &Path, set: Option<(&str, &str)>) -> (Child, u32) {
         assert!(start.elapsed() < LONG, "no worker has started");
         thread::sleep(Duration::from_millis(10));
     }
-}
-
-/// Sends a signal, by the shell's own `kill`: small systems have no program of that name.
-fn signal(name: &str, process: u32) {
-    let kill = ["-c", r#"kill "$0" "$1""#, name, &process.to_string()];
-    assert!(Command::new("sh").args(kill).status().unwrap().success());
 }
 
 #[test]

@@ -118,3 +118,9 @@ pub fn restamp(file: &Path) {
     let forged = closedform_build::stamped(&(without.join("\n") + "\n"), &stamp.version, stamp.inputs);
     fs::write(file, forged).expect("the file is written");
 }
+
+/// Sends a signal, by the shell's own `kill`: small systems have no program of that name.
+pub fn signal(name: &str, process: u32) {
+    let kill = ["-c", r#"kill "$0" "$1""#, name, &process.to_string()];
+    assert!(Command::new("sh").args(kill).status().unwrap().success());
+}
