@@ -1,16 +1,16 @@
 //! The arithmetic of `evaluate` in `f64`, and of the rounding errors that judges look at: `Real` for `f64`.
 
+use crate::bounded_double_double::BoundedDoubleDouble;
 use crate::function::Function;
-use crate::measured::Measured;
 use crate::operand::Operand;
 use crate::polynomial::polynomial;
 use crate::real::Real;
 use crate::root;
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 use crate::terms::Terms;
 
 impl Real for f64 {
-    type Extended = Measured;
+    type Extended = BoundedDoubleDouble;
 
     #[inline(always)]
     fn literal(&self, value: f64) -> Self {
@@ -67,51 +67,51 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn two_sum(&self, other: &Self) -> Measured {
-        Measured::two_sum(*self, *other)
+    fn two_sum(&self, other: &Self) -> BoundedDoubleDouble {
+        BoundedDoubleDouble::two_sum(*self, *other)
     }
 
     #[inline(always)]
-    fn two_product(&self, other: &Self) -> Measured {
-        Measured::two_product(*self, *other)
+    fn two_product(&self, other: &Self) -> BoundedDoubleDouble {
+        BoundedDoubleDouble::two_product(*self, *other)
     }
 
     #[inline(always)]
-    fn extended_neg(extended: &Measured) -> Measured {
+    fn extended_neg(extended: &BoundedDoubleDouble) -> BoundedDoubleDouble {
         -*extended
     }
 
     #[inline(always)]
-    fn extended_add_exact(extended: &Measured, exact: &Self) -> Measured {
+    fn extended_add_exact(extended: &BoundedDoubleDouble, exact: &Self) -> BoundedDoubleDouble {
         *extended + *exact
     }
 
     #[inline(always)]
-    fn extended_add(left: &Measured, right: &Measured) -> Measured {
+    fn extended_add(left: &BoundedDoubleDouble, right: &BoundedDoubleDouble) -> BoundedDoubleDouble {
         *left + *right
     }
 
     #[inline(always)]
-    fn extended_mul_exact(extended: &Measured, exact: &Self) -> Measured {
+    fn extended_mul_exact(extended: &BoundedDoubleDouble, exact: &Self) -> BoundedDoubleDouble {
         *extended * *exact
     }
 
     #[inline(always)]
-    fn extended_mul(left: &Measured, right: &Measured) -> Measured {
+    fn extended_mul(left: &BoundedDoubleDouble, right: &BoundedDoubleDouble) -> BoundedDoubleDouble {
         *left * *right
     }
 
     #[inline(always)]
-    fn compensated(extended: &Measured, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
-        if extended.settled(threshold) {
+    fn compensated(extended: &BoundedDoubleDouble, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
+        if extended.passes(threshold) {
             extended.round()
         } else {
-            polynomial(operands, |operand| Operand::of(*operand), terms).map_or(f64::NAN, Soft::to_f64)
+            polynomial(operands, |operand| Operand::of(*operand), terms).map_or(f64::NAN, SoftFloat::to_f64)
         }
     }
 
     #[inline(always)]
-    fn residual(extended: &Measured) -> Self {
+    fn residual(extended: &BoundedDoubleDouble) -> Self {
         extended.round()
     }
 }

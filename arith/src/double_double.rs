@@ -6,7 +6,7 @@
 //! The bounds hold while nothing over- or underflows. A product of operands that are too large to be split, on targets
 //! without a fused multiply-add, or so small that its error underflows loses its bound (see [`range`](crate::range)); beyond
 //! the largest factor the value may become NaN, and the two ways to multiply differ. Programs therefore never use such a
-//! product: see [`Plain`](crate::Plain) and [`Guarded`](crate::Guarded). It never panics.
+//! product: see [`Filtered`](crate::Filtered) and [`FilteredDoubleDouble`](crate::FilteredDoubleDouble). It never panics.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -48,7 +48,7 @@ pub const ROUNDING: Units = Units::new(1, 1);
 /// The cube root in `f64`: one rounding of what is right to 2^-75, as its code proves step by step.
 pub const CUBE_ROOT: Units = Units::new(1001, 1000);
 
-/// A compensated expression that is [settled](compensated::threshold) and stays in double-double, or is exact.
+/// A compensated expression that [passes its rounding test](compensated::threshold) and stays in double-double, or is exact.
 pub const COMPENSATED_IN_DOUBLE_DOUBLE: Units = Units::new(1, 1000);
 
 /// The same, rounded to `f64`.
@@ -63,7 +63,7 @@ pub const DOUBLE_DOUBLE_STEP: Units = Units::new(1, 1_000_000);
 pub const RESIDUAL_OPERATION: Units = Units::new(10, 1);
 
 /// The iterate of [`positive_root`](crate::positive_root()), compared with the root of its coefficients as they are: it is the
-/// rounded root but for a last doubt.
+/// rounded root but for a last escalate.
 pub const POSITIVE_ROOT: Units = Units::new(101, 100);
 
 /// What a Newton step from such an iterate leaves before it is rounded: a correction of at most some hundred units that is
@@ -167,7 +167,7 @@ pub mod compensated {
     const MARGIN: f64 = 1010.0;
 
     /// How much larger than this times the sum of the magnitudes of its terms a compensated expression has to be, whose
-    /// error is `units`: then it is settled, that is, right to u/1000.
+    /// error is `units`: then it passes the rounding test, that is, it is right to u/1000.
     #[must_use]
     pub const fn threshold(units: f64) -> f64 {
         (if units > 1.0 { units } else { 1.0 }) * MARGIN * UNIT

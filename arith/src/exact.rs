@@ -8,7 +8,7 @@
 
 use crate::limits::{MAX_FACTORS, MAX_TERMS};
 use crate::operand::Operand;
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 use crate::terms::{Term, Terms};
 
 /// Bits of a significand.
@@ -28,11 +28,11 @@ const GAP: i64 = 128 + MAX_TERMS.ilog2() as i64;
 
 /// A sum of products of operands; `None` where terms lie so far apart that their sum is longer than any of `f64`.
 #[inline(never)]
-pub(crate) fn polynomial(factor: &dyn Fn(u8) -> Option<Operand>, terms: Terms) -> Option<Soft> {
+pub(crate) fn polynomial(factor: &dyn Fn(u8) -> Option<Operand>, terms: Terms) -> Option<SoftFloat> {
     let mut below = i64::MAX;
     loop {
         let spans = || terms.filter_map(|term| span(factor, term.factors)).filter(|(_, high)| *high < below);
-        let Some(highest) = spans().map(|(_, high)| high).max() else { return Some(Soft::ZERO) };
+        let Some(highest) = spans().map(|(_, high)| high).max() else { return Some(SoftFloat::ZERO) };
         let all = spans().map(|(low, _)| low).min().unwrap_or(highest);
         let fits = |lowest: i64| usize::try_from((highest - lowest) / 64 + 3).ok().filter(|used| *used <= LONGEST);
         let (lowest, used) = match fits(all) {
@@ -127,7 +127,7 @@ struct Sum<const WORDS: usize>([u64; WORDS]);
 
 impl<const WORDS: usize> Sum<WORDS> {
     /// The sum of the terms that are near each other, in the low `used` words.
-    fn of(mut self, factor: &dyn Fn(u8) -> Option<Operand>, terms: Terms, near: Near, used: usize) -> Soft {
+    fn of(mut self, factor: &dyn Fn(u8) -> Option<Operand>, terms: Terms, near: Near, used: usize) -> SoftFloat {
         let Near { lowest, below } = near;
         let here = |(low, high)| low >= lowest && high < below;
         let terms = terms.filter(|term| span(factor, term.factors).is_some_and(here));
@@ -162,13 +162,13 @@ impl<const WORDS: usize> Sum<WORDS> {
     }
 
     /// The leading bits.
-    fn leading(&mut self, lowest: i64, used: usize) -> Soft {
+    fn leading(&mut self, lowest: i64, used: usize) -> SoftFloat {
         let negative = self.0.get(used.saturating_sub(1)).is_some_and(|word| word >> 63 != 0);
         let mut carry = negative;
         for word in self.0.iter_mut().take(used).filter(|_| negative) {
             (*word, carry) = (!*word).overflowing_add(carry.into());
         }
-        let Some(top) = self.0.iter().take(used).rposition(|word| *word != 0) else { return Soft::ZERO };
+        let Some(top) = self.0.iter().take(used).rposition(|word| *word != 0) else { return SoftFloat::ZERO };
         let word = |below: usize| top.checked_sub(below).and_then(|at| self.0.get(at)).copied().unwrap_or(0);
         let space = word(0).leading_zeros();
         let upper = u128::from(word(0)) << 64 | u128::from(word(1));
@@ -176,7 +176,7 @@ impl<const WORDS: usize> Sum<WORDS> {
         let bits = upper << space | below >> 64;
         let cut = below as u64 != 0 || self.0.iter().take(top.saturating_sub(2)).any(|word| *word != 0);
         let exponent = lowest + 64 * (top as i64 - 1) - i64::from(space);
-        Soft::new(negative, bits, exponent, cut)
+        SoftFloat::new(negative, bits, exponent, cut)
     }
 }
 
@@ -192,7 +192,7 @@ mod tests {
             return f64::NAN;
         }
         let operand = |position: u8| Operand::of(operands[usize::from(position)]);
-        polynomial(&operand, Terms::of(terms)).map_or(f64::NAN, Soft::to_f64)
+        polynomial(&operand, Terms::of(terms)).map_or(f64::NAN, SoftFloat::to_f64)
     }
 
     fn difference(operands: [f64; 4]) -> f64 {

@@ -1,7 +1,7 @@
 //! The arithmetics that kernels run in, their limits, and one model of their errors.
 //!
-//! [`Real`] is what a program asks of an arithmetic. The tiers of a call ([`tier`]) are `f64` ([`Plain`]), double-double
-//! ([`Guarded`]), integers with an exponent that never runs out ([`Soft`]), and for certified kernels balls of more and
+//! [`Real`] is what a program asks of an arithmetic. The tiers of a call ([`tier`]) are `f64` ([`Filtered`]), double-double
+//! ([`FilteredDoubleDouble`]), integers with an exponent that never runs out ([`SoftFloat`]), and for certified kernels balls of more and
 //! more words. [`Bounded`] numbers are `f64` with a bound of their error. What functions it can call is a [table](function). [`error_model`] says how far off their operations are, and
 //! on what authority; [`range`] between which magnitudes that holds; [`limits`] how large a kernel may be. [`Relation`] is
 //! how two numbers compare, in all languages.
@@ -21,21 +21,21 @@ extern crate std;
 
 mod ball;
 mod bounded;
+mod bounded_double_double;
 mod double;
 mod double_double;
 mod error_free;
 pub mod error_model;
 mod exact;
 pub mod factored;
+mod filtered;
+mod filtered_double_double;
 mod float;
 pub mod function;
-mod guarded;
 pub mod limits;
-mod measured;
 #[cfg(feature = "mpfr")]
 mod mpfr;
 mod operand;
-mod plain;
 mod polynomial;
 mod precision;
 pub mod range;
@@ -43,21 +43,21 @@ mod real;
 mod relation;
 mod root;
 mod rounded;
-mod soft;
+mod soft_float;
 pub mod table;
 mod terms;
 pub mod tier;
 
 pub use bounded::{Bounded, Signs};
 pub use double_double::DoubleDouble;
+pub use filtered::Filtered;
+pub use filtered_double_double::FilteredDoubleDouble;
 pub use function::{Function, Operations};
-pub use guarded::Guarded;
 #[cfg(feature = "mpfr")]
 pub use mpfr::Mpfr;
-pub use plain::Plain;
 pub use precision::Precision;
 pub use real::Real;
 pub use relation::Relation;
 pub use root::positive_root;
-pub use soft::Soft;
+pub use soft_float::SoftFloat;
 pub use terms::{Term, Terms};

@@ -3,7 +3,7 @@
 use crate::ball;
 use crate::exact;
 use crate::operand::Operand;
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 use crate::terms::Terms;
 
 /// A sum of products of operands.
@@ -12,7 +12,7 @@ use crate::terms::Terms;
 /// longer than any of `f64`.
 #[cold]
 #[inline(never)]
-pub(crate) fn polynomial<T>(operands: &[&T], read: fn(&T) -> Option<Operand>, terms: Terms) -> Option<Soft> {
+pub(crate) fn polynomial<T>(operands: &[&T], read: fn(&T) -> Option<Operand>, terms: Terms) -> Option<SoftFloat> {
     if operands.iter().any(|operand| read(operand).is_none()) {
         return None;
     }

@@ -1,6 +1,6 @@
 //! `Rounded`: a result in `f64`, and what rounding made of it.
 
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 
 /// A result in `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,9 +35,9 @@ impl Rounded {
         Rounded { value, fate: Fate::Kept }
     }
 
-    pub(crate) fn of(result: Soft) -> Self {
+    pub(crate) fn of(result: SoftFloat) -> Self {
         let value = result.to_f64();
-        Self::to_nearest(value, result == Soft::from_f64(value))
+        Self::to_nearest(value, result == SoftFloat::from_f64(value))
     }
 
     /// A number that was rounded to nearest, and whether that left it as it was; NaN where there was none.

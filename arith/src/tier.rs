@@ -1,7 +1,7 @@
 //! The arithmetics one after another, each for the inputs that the one before leaves: what every shape of a call, and the
 //! interpreter, falls back on.
 //!
-//! A tier is left where one of its steps does not keep its promise. The last, [`Soft`], keeps it everywhere, so what comes
+//! A tier is left where one of its steps does not keep its promise. The last, [`SoftFloat`], keeps it everywhere, so what comes
 //! out is right for all finite inputs: conditions are decided exactly, and only results over- or underflow.
 //!
 //! A certified kernel has tiers of its own: balls of more and more words, until every condition is decided and
@@ -9,12 +9,12 @@
 
 use core::cell::Cell;
 
-use crate::ball::{Ball, Settling};
-use crate::guarded::Guarded;
-use crate::plain::Plain;
+use crate::ball::{Ball, Decisions};
+use crate::filtered::Filtered;
+use crate::filtered_double_double::FilteredDoubleDouble;
 use crate::real::Real;
 pub use crate::rounded::{Fate, Rounded};
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 
 /// A program at a point, in any arithmetic.
 pub trait Steps {
@@ -32,49 +32,49 @@ pub trait Steps {
 pub type Answer<S> = Result<<S as Steps>::Results<Rounded>, usize>;
 
 /// What a program in `f64` answers to finite inputs.
-pub fn plain<S: Steps>(steps: &S) -> Answer<S> {
-    let left = Cell::new(false);
-    let number = |value| Plain::<true>::new(value, &left);
-    attempt(steps, &left, number, |result| result.value()).unwrap_or_else(|| faithful(steps))
+pub fn default<S: Steps>(steps: &S) -> Answer<S> {
+    let escalate = Cell::new(false);
+    let number = |value| Filtered::<true>::new(value, &escalate);
+    attempt(steps, &escalate, number, |result| result.value()).unwrap_or_else(|| faithful(steps))
 }
 
 /// What a program answers to finite inputs with an error of less than one ulp.
 pub fn faithful<S: Steps>(steps: &S) -> Answer<S> {
-    let left = Cell::new(false);
-    let number = |value| Guarded::<true>::new(value, &left);
-    attempt(steps, &left, number, Guarded::round).unwrap_or_else(|| soft(steps))
+    let escalate = Cell::new(false);
+    let number = |value| FilteredDoubleDouble::<true>::new(value, &escalate);
+    attempt(steps, &escalate, number, FilteredDoubleDouble::round).unwrap_or_else(|| soft(steps))
 }
 
 /// In an arithmetic that neither over- nor underflows.
 fn soft<S: Steps>(steps: &S) -> Answer<S> {
-    match steps.violated(Soft::from_f64) {
+    match steps.violated(SoftFloat::from_f64) {
         Some(condition) => Err(condition),
-        None => Ok(steps.results(Soft::from_f64, Rounded::of)),
+        None => Ok(steps.results(SoftFloat::from_f64, Rounded::of)),
     }
 }
 
-/// The answer in an arithmetic, unless it raises `left`. Steps behind the results do not count outside the domain.
+/// The answer in an arithmetic, unless it raises `escalate`. Steps behind the results do not count outside the domain.
 #[inline(always)]
 fn attempt<S: Steps, R: Real>(
     steps: &S,
-    left: &Cell<bool>,
+    escalate: &Cell<bool>,
     number: impl Fn(f64) -> R,
     round: impl Fn(R) -> f64,
 ) -> Option<Answer<S>> {
     let violated = steps.violated(&number);
-    if left.get() {
+    if escalate.get() {
         return None;
     }
     if let Some(condition) = violated {
         return Some(Err(condition));
     }
     let results = steps.results(number, |result| Rounded::kept(round(result)));
-    (!left.get()).then_some(Ok(results))
+    (!escalate.get()).then_some(Ok(results))
 }
 
 /// What a certified program answers to finite inputs: each result off by [`CERTIFIED_ULP`](crate::error_model::CERTIFIED_ULP) at most.
 pub fn certified<S: Steps>(steps: &S) -> Answer<S> {
-    let undecided = || Ok(steps.results(Soft::from_f64, |_| Rounded::UNDECIDED));
+    let undecided = || Ok(steps.results(SoftFloat::from_f64, |_| Rounded::UNDECIDED));
     in_balls::<S, 4>(steps)
         .or_else(|| in_balls::<S, 16>(steps))
         .or_else(|| in_balls::<S, 64>(steps))
@@ -84,10 +84,10 @@ pub fn certified<S: Steps>(steps: &S) -> Answer<S> {
 /// The answer in balls of `L` words; `None` where they are too few.
 #[inline(never)]
 fn in_balls<S: Steps, const L: usize>(steps: &S) -> Option<Answer<S>> {
-    let settling = Settling::default();
-    let number = |value| Ball::<L>::new(value, &settling);
+    let decisions = Decisions::default();
+    let number = |value| Ball::<L>::new(value, &decisions);
     let violated = steps.violated(number);
-    if settling.is_unsettled() {
+    if decisions.is_undecided() {
         return None;
     }
     if let Some(condition) = violated {
@@ -99,5 +99,5 @@ fn in_balls<S: Steps, const L: usize>(steps: &S) -> Option<Answer<S>> {
         open.set(open.get() | accepted.is_none());
         accepted.map_or(Rounded::UNDECIDED, |(value, exact)| Rounded::to_nearest(value, exact))
     });
-    (!open.get() && !settling.is_unsettled()).then_some(Ok(results))
+    (!open.get() && !decisions.is_undecided()).then_some(Ok(results))
 }

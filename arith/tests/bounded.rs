@@ -63,24 +63,24 @@ struct Operand<'a, const WATCHED: bool> {
     exact: Float,
 }
 
-fn operand<'a, const WATCHED: bool>(value: f64, random: &mut Random, doubt: &'a Cell<bool>) -> Operand<'a, WATCHED> {
+fn operand<'a, const WATCHED: bool>(value: f64, random: &mut Random, escalate: &'a Cell<bool>) -> Operand<'a, WATCHED> {
     let (count, error) = random.errors(value);
     let signs = match value {
         _ if random.below(2) == 0 => Signs::ANY,
         _ if value >= 0.0 => Signs::NOT_NEGATIVE,
         _ => Signs::NOT_POSITIVE,
     };
-    let number = Bounded::with_error(value, count, error, signs, doubt);
+    let number = Bounded::with_error(value, count, error, signs, escalate);
     let most = Float::with_val(BITS, 1.0 + Float::with_val(BITS, UNIT)).pow(count);
     let factor = if random.below(2) == 0 { most } else { 2 - most };
     let error = if random.below(2) == 0 { error } else { -error };
     Operand { number, exact: Float::with_val(BITS, value) * factor + error }
 }
 
-/// What a bound is of the true error; `None` where the number is in doubt or has no bound.
-fn share<const WATCHED: bool>(found: Bounded<'_, WATCHED>, exact: &Float, doubt: &Cell<bool>) -> Option<f64> {
+/// What a bound is of the true error; `None` where the number escalates or has no bound.
+fn share<const WATCHED: bool>(found: Bounded<'_, WATCHED>, exact: &Float, escalate: &Cell<bool>) -> Option<f64> {
     let bound = found.bound();
-    if doubt.replace(false) || !bound.is_finite() || !found.value().is_finite() {
+    if escalate.replace(false) || !bound.is_finite() || !found.value().is_finite() {
         return None;
     }
     let error = Float::with_val(BITS, exact - found.value()).abs();
@@ -93,15 +93,15 @@ fn judge<const WATCHED: bool>(
     operation: impl for<'a> Fn(&Bounded<'a, WATCHED>, &Bounded<'a, WATCHED>) -> Bounded<'a, WATCHED>,
     exactly: impl Fn(&Float, &Float) -> Float,
 ) -> (f64, u32) {
-    let (mut random, doubt) = (Random(88_172_645_463_325_252), Cell::new(false));
+    let (mut random, escalate) = (Random(88_172_645_463_325_252), Cell::new(false));
     let (mut largest, mut judged) = (0.0_f64, 0);
     for _ in 0..60_000 {
         let (first, second) = (random.number(), random.number());
         // what cancels most
         let second = if random.below(4) == 0 { -first } else { second };
-        let (a, b) = (operand(first, &mut random, &doubt), operand(second, &mut random, &doubt));
+        let (a, b) = (operand(first, &mut random, &escalate), operand(second, &mut random, &escalate));
         let found = operation(&a.number, &b.number);
-        if let Some(share) = share(found, &exactly(&a.exact, &b.exact), &doubt) {
+        if let Some(share) = share(found, &exactly(&a.exact, &b.exact), &escalate) {
             (largest, judged) = (largest.max(share), judged + 1);
         }
     }
@@ -135,15 +135,15 @@ fn operations_keep_their_bounds_at_ordinary_magnitudes() {
 }
 
 #[test]
-fn comparisons_are_right_or_in_doubt() {
-    let (mut random, doubt) = (Random(2_463_534_242), Cell::new(false));
+fn comparisons_are_right_or_escalate() {
+    let (mut random, escalate) = (Random(2_463_534_242), Cell::new(false));
     let mut decided = 0;
     for _ in 0..100_000 {
         let first = random.number();
         let second = if random.below(3) == 0 { first } else { random.number() };
-        let (a, b) = (operand::<true>(first, &mut random, &doubt), operand(second, &mut random, &doubt));
+        let (a, b) = (operand::<true>(first, &mut random, &escalate), operand(second, &mut random, &escalate));
         let found = (a.number < b.number, a.number <= b.number, a.number == b.number);
-        if !doubt.replace(false) {
+        if !escalate.replace(false) {
             decided += 1;
             assert_eq!(found, (a.exact < b.exact, a.exact <= b.exact, a.exact == b.exact), "{first:e} {second:e}");
         }
@@ -153,12 +153,12 @@ fn comparisons_are_right_or_in_doubt() {
 
 #[test]
 fn expressions_keep_their_bounds() {
-    let (mut random, doubt) = (Random(362_436_069), Cell::new(false));
+    let (mut random, escalate) = (Random(362_436_069), Cell::new(false));
     let (mut judged, mut largest) = (0, 0.0_f64);
     for _ in 0..10_000 {
         let mut numbers: Vec<_> = (0..3)
             .map(|_| random.number())
-            .map(|x| (Bounded::<true>::new(x, Signs::ANY, &doubt), Float::with_val(BITS, x)))
+            .map(|x| (Bounded::<true>::new(x, Signs::ANY, &escalate), Float::with_val(BITS, x)))
             .collect();
         for _ in 0..2 + random.below(8) {
             let ((a, x), (b, y)) = (&numbers[numbers.len() - 1], &numbers[random.below(numbers.len() as u64) as usize]);
@@ -172,7 +172,7 @@ fn expressions_keep_their_bounds() {
             numbers.push(next);
         }
         let (found, exact) = &numbers[numbers.len() - 1];
-        if let Some(share) = share(*found, exact, &doubt) {
+        if let Some(share) = share(*found, exact, &escalate) {
             (judged, largest) = (judged + 1, largest.max(share));
         }
     }
@@ -181,7 +181,7 @@ fn expressions_keep_their_bounds() {
 
 #[test]
 fn roots_of_polynomials_are_enclosed() {
-    let (mut random, doubt) = (Random(521_288_629), Cell::new(false));
+    let (mut random, escalate) = (Random(521_288_629), Cell::new(false));
     let mut judged = 0;
     for _ in 0..3_000 {
         let degree = 1 + random.below(6) as usize;
@@ -190,14 +190,14 @@ fn roots_of_polynomials_are_enclosed() {
                 let size = random.number().abs().clamp(1e-3, 1e3);
                 let value = if power == 0 { -size } else { size };
                 let (count, error) = (random.below(3) as u32, [0.0, UNIT * value.abs()][random.below(2) as usize]);
-                let number = Bounded::<true>::with_error(value, count, error, Signs::ANY, &doubt);
+                let number = Bounded::<true>::with_error(value, count, error, Signs::ANY, &escalate);
                 let sign = if random.below(2) == 0 { 1.0 } else { -1.0 };
                 (number, Float::with_val(400, value) + sign * (error + f64::from(count) * UNIT * value.abs() * 0.999))
             })
             .collect();
         let numbers: Vec<_> = coefficients.iter().map(|(number, _)| *number).collect();
         let root = numbers[0].positive_root(&numbers);
-        if doubt.replace(false) {
+        if escalate.replace(false) {
             continue;
         }
         judged += 1;
@@ -209,26 +209,26 @@ fn roots_of_polynomials_are_enclosed() {
 }
 
 #[test]
-fn what_has_no_value_is_in_doubt() {
-    let doubt = Cell::new(false);
-    let number = |value| Bounded::<false>::new(value, Signs::ANY, &doubt);
-    let in_doubt = |_: Bounded<'_, false>| doubt.replace(false);
-    assert!(in_doubt(number(1.0).div(&number(0.0))));
-    assert!(in_doubt(number(-1.0).call(Function::Sqrt)));
-    assert!(in_doubt(number(1.0).nan()));
-    assert!(!in_doubt(number(1.0).div(&number(3.0))));
-    let watched = |value| Bounded::<true>::new(value, Signs::ANY, &doubt);
-    let in_doubt = |_: Bounded<'_, true>| doubt.replace(false);
-    assert!(in_doubt(watched(1e-200).mul(&watched(1e-200))));
-    assert!(in_doubt(watched(1e200).mul(&watched(1e200))));
-    assert!(!in_doubt(watched(0.0).mul(&watched(1e-200))));
+fn what_has_no_value_escalates() {
+    let escalate = Cell::new(false);
+    let number = |value| Bounded::<false>::new(value, Signs::ANY, &escalate);
+    let escalates = |_: Bounded<'_, false>| escalate.replace(false);
+    assert!(escalates(number(1.0).div(&number(0.0))));
+    assert!(escalates(number(-1.0).call(Function::Sqrt)));
+    assert!(escalates(number(1.0).nan()));
+    assert!(!escalates(number(1.0).div(&number(3.0))));
+    let watched = |value| Bounded::<true>::new(value, Signs::ANY, &escalate);
+    let escalates = |_: Bounded<'_, true>| escalate.replace(false);
+    assert!(escalates(watched(1e-200).mul(&watched(1e-200))));
+    assert!(escalates(watched(1e200).mul(&watched(1e200))));
+    assert!(!escalates(watched(0.0).mul(&watched(1e-200))));
 }
 
 #[test]
-fn a_promise_is_kept_or_in_doubt() {
-    let doubt = Cell::new(false);
-    let number = |error| Bounded::<true>::with_error(1.0, 3, error, Signs::ANY, &doubt);
-    let kept = |error, promise| (number(error).keeping(promise), !doubt.replace(false)).1;
+fn a_promise_is_kept_or_escalates() {
+    let escalate = Cell::new(false);
+    let number = |error| Bounded::<true>::with_error(1.0, 3, error, Signs::ANY, &escalate);
+    let kept = |error, promise| (number(error).keeping(promise), !escalate.replace(false)).1;
     assert!(kept(0.0, 4.0 * UNIT) && !kept(0.0, 2.0 * UNIT));
     assert!(kept(1e-14, 1e-13) && !kept(1e-13, 1e-13) && !kept(f64::INFINITY, 1e-13) && !kept(f64::NAN, 1e-13));
 }

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 
 use closedform_arith::error_model::UNIT;
 use closedform_arith::tier::{Steps, certified, faithful};
-use closedform_arith::{Function, Guarded, Mpfr, Plain, Real, Soft};
+use closedform_arith::{Filtered, FilteredDoubleDouble, Function, Mpfr, Real, SoftFloat};
 use rug::Float;
 use rug::ops::Pow;
 
@@ -60,9 +60,9 @@ fn in_f64_the_error_is_what_the_table_says() {
         let (mut worst, promised) = (0.0_f64, function.properties().error.to_f64());
         for x in defined(function) {
             let found = x.call(function);
-            let doubt = Cell::new(false);
-            let plain = Plain::<true>::new(x, &doubt).call(function);
-            assert_eq!((plain.value().to_bits(), doubt.get()), (found.to_bits(), false), "{function:?} at {x:e}");
+            let escalate = Cell::new(false);
+            let plain = Filtered::<true>::new(x, &escalate).call(function);
+            assert_eq!((plain.value().to_bits(), escalate.get()), (found.to_bits(), false), "{function:?} at {x:e}");
             if found != 0.0 && !found.is_normal() {
                 assert!(function.is_exact(), "{function:?} at {x:e}");
                 continue;
@@ -76,11 +76,11 @@ fn in_f64_the_error_is_what_the_table_says() {
 #[test]
 fn where_there_is_no_value_there_is_none_in_any_arithmetic() {
     for function in Function::ALL.into_iter().filter(|function| !function.is_total()) {
-        let (doubt, left) = (Cell::new(false), Cell::new(false));
+        let (escalate, left) = (Cell::new(false), Cell::new(false));
         assert!((-2.0).call(function).is_nan());
-        assert!(Plain::<false>::new(-2.0, &doubt).call(function).value().is_nan() && doubt.get());
-        assert!(Guarded::<false>::new(-2.0, &left).call(function).round().is_nan() && left.get());
-        assert!(Soft::from_f64(-2.0).call(function).to_f64().is_nan());
+        assert!(Filtered::<false>::new(-2.0, &escalate).call(function).value().is_nan() && escalate.get());
+        assert!(FilteredDoubleDouble::<false>::new(-2.0, &left).call(function).round().is_nan() && left.get());
+        assert!(SoftFloat::from_f64(-2.0).call(function).to_f64().is_nan());
         assert!(Mpfr::new(60, -2.0).call(function).0.is_nan());
     }
 }
@@ -114,7 +114,7 @@ fn in_double_double_the_error_is_what_the_table_says() {
         for x in defined(function) {
             let left = Cell::new(false);
             // an argument of which the low part counts: x (1 + 2^-54/3)
-            let input = Guarded::<true>::new(x, &left);
+            let input = FilteredDoubleDouble::<true>::new(x, &left);
             let third = input.literal(3.0);
             let ulp = input.mul(&input.literal(f64::powi(2.0, -54))).div(&third);
             let argument = input.add(&ulp);
@@ -122,7 +122,8 @@ fn in_double_double_the_error_is_what_the_table_says() {
             if left.get() {
                 continue;
             }
-            let read = |value: Guarded<true>| Float::with_val(BITS, value.value().round()) + value.value().low();
+            let read =
+                |value: FilteredDoubleDouble<true>| Float::with_val(BITS, value.value().round()) + value.value().low();
             let mut exact = read(argument);
             function.mpfr(&mut exact);
             worst = worst.max(units(&read(value), &exact) / UNIT);
@@ -181,8 +182,9 @@ fn in_soft_floats_values_are_right_far_beyond_any_exponent() {
         let (p, q) = function.properties().exponent;
         for x in [3.0, 0.7, 1e300, -5.0].into_iter().filter(|x| *x > 0.0 || function.is_total()) {
             // x^(4^8), whose value is x's to that power
-            let power = |x: Soft| (0..8).fold(x, |y, _| y.mul(&y).mul(&y).mul(&y));
-            let (above, through) = (power(Soft::from_f64(x)).call(function), power(Soft::from_f64(x).call(function)));
+            let power = |x: SoftFloat| (0..8).fold(x, |y, _| y.mul(&y).mul(&y).mul(&y));
+            let (above, through) =
+                (power(SoftFloat::from_f64(x)).call(function), power(SoftFloat::from_f64(x).call(function)));
             let ratio = above.div(&through).to_f64();
             // x^(p/q) is off by 2^-120, and its power by so many times that
             let expected = if function.is_odd() || x > 0.0 { 1.0 } else { ratio.signum() };

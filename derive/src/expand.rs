@@ -236,7 +236,7 @@ impl<'a> Parts<'a> {
         self.rows_in_blocks(
             "batch",
             "The values of many points, bit for bit those of single calls; inputs first, then one slice a result.",
-            ["quick", "value"],
+            ["first_tier", "value"],
         )
     }
 
@@ -244,19 +244,19 @@ impl<'a> Parts<'a> {
         self.rows_in_blocks(
             "fast_batch",
             "What [`fast`] returns of many points; inputs first, then one slice a result.",
-            ["quick_fast", "refined"],
+            ["first_tier_fast", "refined"],
         )
     }
 
-    /// A batch, by blocks: all rows `quick`, which has no branch, and those again that this leaves in doubt.
-    fn rows_in_blocks(&self, name: &str, documentation: &str, [quick, again]: [&str; 2]) -> TokenStream {
+    /// A batch, by blocks: all rows `first_tier`, which has no branch, and those again that escalate.
+    fn rows_in_blocks(&self, name: &str, documentation: &str, [first_tier, again]: [&str; 2]) -> TokenStream {
         let Parts { inputs, results, sizes, .. } = self;
         let checks = self.length_checks();
         let values: Vec<_> =
             (0..results.len()).map(|i| format_ident!("__value_{i}", span = Span::mixed_site())).collect();
-        let [name, quick, again] = [name, quick, again].map(|name| Ident::new(name, Span::call_site()));
-        let [doubt, doubts, row, any] =
-            ["__doubt", "__doubts", "__row", "__any"].map(|name| Ident::new(name, Span::mixed_site()));
+        let [name, first_tier, again] = [name, first_tier, again].map(|name| Ident::new(name, Span::call_site()));
+        let [escalate, escalated, row, any] =
+            ["__escalate", "__escalated", "__row", "__any"].map(|name| Ident::new(name, Span::mixed_site()));
         let (pattern, blocks) = self.zipped(
             |input| quote!(::closedform::__private::Blocks(#input)),
             |result| quote!(::closedform::__private::BlocksMut(#result)),
@@ -274,18 +274,18 @@ impl<'a> Parts<'a> {
             ) -> ::core::result::Result<(), ::closedform::LengthError> {
                 #checks
                 for #pattern in #blocks {
-                    let mut #doubts = [0; ::closedform::__private::BLOCK];
+                    let mut #escalated = [0; ::closedform::__private::BLOCK];
                     let mut #any = 0;
-                    for (#pattern, #row) in #rows.zip(&mut #doubts) {
-                        let #doubt = ::core::cell::Cell::new(0);
+                    for (#pattern, #row) in #rows.zip(&mut #escalated) {
+                        let #escalate = ::core::cell::Cell::new(0);
                         let [#(#values),*] =
-                            ::closedform::__private::#quick::<Program, #sizes>(&[#(*#inputs),*], &#doubt);
+                            ::closedform::__private::#first_tier::<Program, #sizes>(&[#(*#inputs),*], &#escalate);
                         #(*#results = #values;)*
-                        *#row = #doubt.get();
-                        #any |= #doubt.get();
+                        *#row = #escalate.get();
+                        #any |= #escalate.get();
                     }
                     if #any != 0 {
-                        for (#pattern, #row) in #rows.zip(&#doubts) {
+                        for (#pattern, #row) in #rows.zip(&#escalated) {
                             if *#row != 0 {
                                 let [#(#values),*] =
                                     ::closedform::__private::#again::<Program, #sizes>(&[#(*#inputs),*]);

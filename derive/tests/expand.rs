@@ -242,7 +242,7 @@ fn agree(read: &Kernel, inputs: &[f64], compiled: &closedform::Kernel) {
         assert_eq!(refused, Some("every input is finite"));
         return;
     }
-    match tier::plain(&Read(read, inputs)) {
+    match tier::default(&Read(read, inputs)) {
         Ok(results) => {
             let same = results.iter().zip(&plain).all(|(Rounded { value, .. }, plain)| same(*value, *plain));
             assert!(same && refused.is_none(), "{} of {inputs:?}: {results:?} interpreted, {plain:?}", read.name);

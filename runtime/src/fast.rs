@@ -16,30 +16,30 @@ use crate::shape::{all, answered, ordinary, raise, value, values, where_inside};
 /// The results with a relative error of at most [`PROMISE`]; NaN outside the domain.
 #[inline(always)]
 pub fn fast<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
-    let doubt = Cell::new(0);
-    let results = quick_fast::<P, N, K, M>(inputs, &doubt);
-    if doubt.get() != 0 { refined::<P, N, K, M>(inputs) } else { results }
+    let escalate = Cell::new(0);
+    let results = first_tier_fast::<P, N, K, M>(inputs, &escalate);
+    if escalate.get() != 0 { refined::<P, N, K, M>(inputs) } else { results }
 }
 
-/// What [`fast`] returns, unless `doubt` is raised.
+/// What [`fast`] returns, unless `escalate` is raised.
 #[inline(always)]
-pub fn quick_fast<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+pub fn first_tier_fast<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
-    doubt: &Cell<u64>,
+    escalate: &Cell<u64>,
 ) -> [f64; M] {
     if const { P::FAST.ordinary == 0 } {
-        bounded::<P, N, K, M, true, f64>(inputs, doubt, |number| number.keeping(PROMISE), f64::NAN)
+        bounded::<P, N, K, M, true, f64>(inputs, escalate, |number| number.keeping(PROMISE), f64::NAN)
     } else {
-        bounded::<P, N, K, M, false, f64>(inputs, doubt, |number| number.keeping(PROMISE), f64::NAN)
+        bounded::<P, N, K, M, false, f64>(inputs, escalate, |number| number.keeping(PROMISE), f64::NAN)
     }
 }
 
-/// The results as `end` reads them, `outside` out of the domain, unless `doubt` is raised. Values are computed in any case: a
+/// The results as `end` reads them, `outside` out of the domain, unless `escalate` is raised. Values are computed in any case: a
 /// branch would keep batch loops from vectorising.
 #[inline(always)]
 fn bounded<P, const N: usize, const K: usize, const M: usize, const WATCHED: bool, T: Copy>(
     inputs: &[f64; N],
-    doubt: &Cell<u64>,
+    escalate: &Cell<u64>,
     end: impl for<'a> Fn(Bounded<'a, WATCHED>) -> T,
     outside: T,
 ) -> [T; M]
@@ -50,7 +50,7 @@ where
     let (of_domain, of_results) = (Cell::new(!fine), Cell::new(false));
     let domain = P::domain(&numbers::<P, N, K, M, WATCHED>(inputs, &of_domain));
     let results = P::evaluate(&numbers::<P, N, K, M, WATCHED>(inputs, &of_results)).map(end);
-    raise(doubt, domain, of_domain.get(), of_results.get());
+    raise(escalate, domain, of_domain.get(), of_results.get());
     where_inside(results, domain, outside)
 }
 
@@ -59,15 +59,15 @@ where
 #[inline(always)]
 fn numbers<'a, P, const N: usize, const K: usize, const M: usize, const WATCHED: bool>(
     inputs: &[f64; N],
-    doubt: &'a Cell<bool>,
+    escalate: &'a Cell<bool>,
 ) -> [Bounded<'a, WATCHED>; N]
 where
     P: Program<N, K, M>,
 {
-    core::array::from_fn(|input| Bounded::new(inputs[input], P::FAST.signs[input], doubt))
+    core::array::from_fn(|input| Bounded::new(inputs[input], P::FAST.signs[input], escalate))
 }
 
-/// What [`fast`] returns where its first arithmetic is in doubt.
+/// What [`fast`] returns where its first tier escalates.
 #[cold]
 #[inline(never)]
 pub fn refined<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
@@ -99,11 +99,11 @@ const fn relative(ulp: f64) -> f64 {
 pub fn with_bound<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
 ) -> ([f64; M], [f64; M]) {
-    let doubt = Cell::new(0);
+    let escalate = Cell::new(0);
     let end = |number: Bounded<'_, true>| (number.value(), number.bound());
-    let results = bounded::<P, N, K, M, true, (f64, f64)>(inputs, &doubt, end, (f64::NAN, f64::NAN));
+    let results = bounded::<P, N, K, M, true, (f64, f64)>(inputs, &escalate, end, (f64::NAN, f64::NAN));
     let inside = results.iter().all(|(value, bound)| value.is_nan() & bound.is_nan() | bound.is_finite());
-    if doubt.get() == 0 && inside {
+    if escalate.get() == 0 && inside {
         return (results.map(|result| result.0), results.map(|result| result.1));
     }
     let values = refined::<P, N, K, M>(inputs);

@@ -73,8 +73,8 @@ pub use program::{Fast, Program};
 #[doc(hidden)]
 pub mod __private {
     pub use crate::blocks::{BLOCK, Blocks, BlocksMut};
-    pub use crate::fast::{fast, quick_fast, refined, with_bound};
-    pub use crate::shape::{checked, faithful, quick, same_length, single, value};
+    pub use crate::fast::{fast, first_tier_fast, refined, with_bound};
+    pub use crate::shape::{checked, faithful, first_tier, same_length, single, value};
     pub use closedform_arith::table::{Instruction, Source, Sum, Table};
     pub use closedform_arith::{Function, Relation, Terms};
 }

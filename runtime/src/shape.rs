@@ -1,13 +1,13 @@
 //! The shapes of a call that are the same for every program: default, checked, faithful, single precision, batch row.
 //!
-//! A call has a quick way, which tests little and has no branch, so that batch loops vectorise. Where it is in doubt the row
-//! is [decided](tier) from the beginning, in one arithmetic after another. A kernel without ordinary inputs has no quick way.
+//! The first tier of a call tests little and has no branch, so that batch loops vectorise. Where it escalates the row
+//! is [decided](tier) from the beginning, in one arithmetic after another. A kernel without ordinary inputs has no such tier.
 
 use core::cell::Cell;
 use core::marker::PhantomData;
 
 use closedform_arith::tier::{self, Rounded, Steps};
-use closedform_arith::{Guarded, Plain, Precision, Real};
+use closedform_arith::{Filtered, FilteredDoubleDouble, Precision, Real};
 
 use crate::error::{DomainError, LengthError, RangeError, ValueError};
 use crate::info::{Info, ResultInfo};
@@ -19,21 +19,21 @@ const FINITE: &str = "every input is finite";
 /// The results in `f64`, computed in the precision of the kernel; NaN outside the domain.
 #[inline(always)]
 pub fn value<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
-    let doubt = Cell::new(0);
-    let results = quick::<P, N, K, M>(inputs, &doubt);
-    if doubt.get() != 0 { values(answer::<P, N, K, M>(inputs)) } else { results }
+    let escalate = Cell::new(0);
+    let results = first_tier::<P, N, K, M>(inputs, &escalate);
+    if escalate.get() != 0 { values(answer::<P, N, K, M>(inputs)) } else { results }
 }
 
-/// What [`value`] returns, unless `doubt` is raised.
+/// What [`value`] returns, unless `escalate` is raised.
 #[inline(always)]
-pub fn quick<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+pub fn first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
-    doubt: &Cell<u64>,
+    escalate: &Cell<u64>,
 ) -> [f64; M] {
     if P::INFO.ordinary == 0 {
         return values(answer::<P, N, K, M>(inputs));
     }
-    let (results, domain) = unless_in_doubt::<P, N, K, M>(inputs, doubt);
+    let (results, domain) = in_first_tier::<P, N, K, M>(inputs, escalate);
     where_inside(results, domain, f64::NAN)
 }
 
@@ -48,51 +48,52 @@ pub(crate) fn where_inside<T: Copy, const K: usize, const M: usize>(
     results.map(|result| if inside { result } else { none })
 }
 
-/// Results and domain in the precision of the kernel, unless `doubt` is raised.
+/// Results and domain in the precision of the kernel, unless `escalate` is raised.
 #[inline(always)]
-fn unless_in_doubt<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+fn in_first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
-    doubt: &Cell<u64>,
+    escalate: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
     match P::INFO.precision {
-        Precision::Double => in_plain::<P, N, K, M>(inputs, doubt),
-        // a certified kernel has no quick way
-        Precision::DoubleDouble | Precision::Certified => in_double_double::<P, N, K, M>(inputs, doubt),
+        Precision::Double => in_f64::<P, N, K, M>(inputs, escalate),
+        // a certified kernel has no first tier
+        Precision::DoubleDouble | Precision::Certified => in_double_double::<P, N, K, M>(inputs, escalate),
     }
 }
 
-/// Results and domain in `f64`, unless `doubt` is raised. Values are computed in any case: a branch would keep batch loops
+/// Results and domain in `f64`, unless `escalate` is raised. Values are computed in any case: a branch would keep batch loops
 /// from vectorising.
 #[inline(always)]
-fn in_plain<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+fn in_f64<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
-    doubt: &Cell<u64>,
+    escalate: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
     let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO.ordinary, inputs)), Cell::new(false));
-    let domain = P::domain(&inputs.map(|value| Plain::<false>::new(value, &of_domain)));
-    let results = P::evaluate(&inputs.map(|value| Plain::<false>::new(value, &of_results))).map(Plain::value);
-    raise(doubt, domain, of_domain.get(), of_results.get());
+    let domain = P::domain(&inputs.map(|value| Filtered::<false>::new(value, &of_domain)));
+    let results = P::evaluate(&inputs.map(|value| Filtered::<false>::new(value, &of_results))).map(Filtered::value);
+    raise(escalate, domain, of_domain.get(), of_results.get());
     (results, domain)
 }
 
-/// Results and domain in double-double, unless `doubt` is raised.
+/// Results and domain in double-double, unless `escalate` is raised.
 #[inline(always)]
 fn in_double_double<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
-    doubt: &Cell<u64>,
+    escalate: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
     let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO.ordinary, inputs)), Cell::new(false));
-    let domain = P::domain(&inputs.map(|value| Guarded::<false>::new(value, &of_domain)));
-    let results = P::evaluate(&inputs.map(|value| Guarded::<false>::new(value, &of_results))).map(Guarded::round);
-    raise(doubt, domain, of_domain.get(), of_results.get());
+    let domain = P::domain(&inputs.map(|value| FilteredDoubleDouble::<false>::new(value, &of_domain)));
+    let results = P::evaluate(&inputs.map(|value| FilteredDoubleDouble::<false>::new(value, &of_results)))
+        .map(FilteredDoubleDouble::round);
+    raise(escalate, domain, of_domain.get(), of_results.get());
     (results, domain)
 }
 
-/// Raises `doubt` for that of the domain, and that of the results where they are asked for. An integer is what compilers
+/// Raises `escalate` for that of the domain, and that of the results where they are asked for. An integer is what compilers
 /// see through when they vectorise.
 #[inline(always)]
-pub(crate) fn raise<const K: usize>(doubt: &Cell<u64>, domain: [bool; K], of_domain: bool, of_results: bool) {
-    doubt.set(doubt.get() | u64::from(of_domain | (all(domain) & of_results)));
+pub(crate) fn raise<const K: usize>(escalate: &Cell<u64>, domain: [bool; K], of_domain: bool, of_results: bool) {
+    escalate.set(escalate.get() | u64::from(of_domain | (all(domain) & of_results)));
 }
 
 /// Whether every input is 0 or of a magnitude from 2^-`exponent` to 2^`exponent`.
@@ -141,7 +142,7 @@ fn answer<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
 ) -> Result<[Rounded; M], &'static str> {
     if P::INFO.precision == Precision::Double {
-        return answered::<P, N, K, M>(inputs, tier::plain);
+        return answered::<P, N, K, M>(inputs, tier::default);
     }
     finer_answer::<P, N, K, M>(inputs)
 }
@@ -167,15 +168,15 @@ pub fn faithful<P: Program<N, K, M>, const N: usize, const K: usize, const M: us
     if P::INFO.ordinary == 0 {
         return values(faithful_answer::<P, N, K, M>(inputs));
     }
-    let doubt = Cell::new(0);
-    let (results, domain) = in_double_double::<P, N, K, M>(inputs, &doubt);
-    if doubt.get() != 0 {
+    let escalate = Cell::new(0);
+    let (results, domain) = in_double_double::<P, N, K, M>(inputs, &escalate);
+    if escalate.get() != 0 {
         return values(faithful_answer::<P, N, K, M>(inputs));
     }
     where_inside(results, domain, f64::NAN)
 }
 
-/// The same where the quick way is in doubt.
+/// The same where the first tier escalates.
 #[cold]
 #[inline(never)]
 fn faithful_answer<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
@@ -205,9 +206,9 @@ pub fn checked<P: Program<N, K, M>, const N: usize, const K: usize, const M: usi
     if P::INFO.ordinary == 0 {
         return checked_when_decided::<P, N, K, M>(inputs);
     }
-    let doubt = Cell::new(0);
-    let (results, domain) = unless_in_doubt::<P, N, K, M>(inputs, &doubt);
-    if doubt.get() != 0 {
+    let escalate = Cell::new(0);
+    let (results, domain) = in_first_tier::<P, N, K, M>(inputs, &escalate);
+    if escalate.get() != 0 {
         return checked_when_decided::<P, N, K, M>(inputs);
     }
     match first_violated(domain) {
@@ -216,7 +217,7 @@ pub fn checked<P: Program<N, K, M>, const N: usize, const K: usize, const M: usi
     }
 }
 
-/// The same where the quick way is in doubt.
+/// The same where the first tier escalates.
 #[cold]
 #[inline(never)]
 fn checked_when_decided<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(

@@ -133,7 +133,7 @@ impl Walk<'_> {
             Expr::Residual(expression) => {
                 self.stays(compensated::residual(expression, self.signs, &|leaf| self.value(leaf))?, Bounds::finite)
             }
-            // Its magnitude is unknown, and its polynomial vanishes there, so that it is in doubt nearly always.
+            // Its magnitude is unknown, and its polynomial vanishes there, so that it escalates nearly always.
             Expr::PositiveRoot(_) => None,
         }
     }

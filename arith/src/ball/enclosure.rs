@@ -3,7 +3,7 @@
 use super::limbs::{Cut, Limbs};
 use super::radius::Radius;
 use crate::error_model::ball::APART;
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 
 /// A number that is no farther than the radius from the middle.
 #[derive(Clone, Copy)]
@@ -63,7 +63,7 @@ impl<const L: usize> Enclosure<L> {
     }
 
     /// Its first 128 bits and whether there are more, where all numbers of the enclosure agree on that.
-    pub(super) fn to_soft(self) -> Option<Soft> {
+    pub(super) fn to_soft(self) -> Option<SoftFloat> {
         if self.radius.is_zero() {
             return Some(self.middle.to_soft());
         }

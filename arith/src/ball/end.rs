@@ -5,15 +5,15 @@ use core::cmp::Ordering;
 use super::enclosure::Enclosure;
 use super::limbs::Limbs;
 use super::radius::Radius;
-use super::{Ball, Kind, Settling};
+use super::{Ball, Decisions, Kind};
 use crate::operand::Operand;
 use crate::rounded::{Certified, Rounded};
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 
 impl<'a, const L: usize> Ball<'a, L> {
     /// What no step has computed yet.
-    pub(crate) fn unknown(settling: &'a Settling) -> Self {
-        Self::without_value(Kind::Unknown, settling)
+    pub(crate) fn unknown(decisions: &'a Decisions) -> Self {
+        Self::without_value(Kind::Unknown, decisions)
     }
 
     /// How it compares, if that is decided; in no way where one has no value.
@@ -40,7 +40,7 @@ impl<'a, const L: usize> Ball<'a, L> {
             (Kind::Number, Kind::Number) => {}
             // nothing compares with what has no value, which stays where it comes first
             (_, Kind::Nothing) | (Kind::Nothing, _) => return self.clone(),
-            _ => return Self::without_value(Kind::Unknown, self.settling),
+            _ => return Self::without_value(Kind::Unknown, self.decisions),
         }
         match self.order(other) {
             Some(Some(order)) => {
@@ -66,7 +66,7 @@ impl<'a, const L: usize> Ball<'a, L> {
     }
 
     /// The same value, found in another way.
-    pub(crate) fn found(&self, value: Soft) -> Self {
+    pub(crate) fn found(&self, value: SoftFloat) -> Self {
         self.of(Limbs::from_soft(value), Radius::ZERO, self.separation)
     }
 

@@ -6,7 +6,7 @@
 use core::cmp::Ordering;
 
 use crate::float;
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 
 /// The number `0.words * 2^exponent`, words from the least to the most, the leading bit set; or its negative; or zero.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +46,7 @@ impl<const L: usize> Limbs<L> {
     }
 
     /// A number of 128 bits, and the size of what is lost of it.
-    pub(super) fn from_soft(soft: Soft) -> (Self, Option<i64>) {
+    pub(super) fn from_soft(soft: SoftFloat) -> (Self, Option<i64>) {
         let (negative, bits, exponent, cut) = soft.parts();
         let high = Self::from_integer(negative, (bits >> 64) as u64, exponent + 64);
         let (number, lost) = high.plus(Self::from_integer(negative, bits as u64, exponent));
@@ -88,12 +88,12 @@ impl<const L: usize> Limbs<L> {
     }
 
     /// The first 128 bits, and whether there are more.
-    pub(super) fn to_soft(self) -> Soft {
+    pub(super) fn to_soft(self) -> SoftFloat {
         let mut words = self.words.iter().rev().copied();
         let mut next = || u128::from(words.next().unwrap_or(0));
         let bits = next() << 64 | next();
         let cut = words.any(|word| word != 0);
-        Soft::new(self.negative, bits, self.exponent - 128, cut)
+        SoftFloat::new(self.negative, bits, self.exponent - 128, cut)
     }
 
     /// Whether it is this `f64`.

@@ -2,7 +2,7 @@
 //!
 //! A value is a float of `L` words and a radius: the exact value of what the program computes lies between them (ball
 //! arithmetic: van der Hoeven; Johansson's Arb). A comparison is decided where the balls are apart, and where a separation
-//! bound shows that the two sides are equal. What is not decided is said to be [unsettled](Settling): the call is then
+//! bound shows that the two sides are equal. What is not decided is said to be [undecided](Decisions): the call is then
 //! computed again with more words.
 
 mod enclosure;
@@ -32,15 +32,15 @@ const WITHOUT_SEPARATION: usize = 4;
 
 /// What a computation in balls leaves open, and how many values it has made so far.
 #[derive(Default)]
-pub struct Settling {
-    unsettled: Cell<bool>,
+pub struct Decisions {
+    undecided: Cell<bool>,
     values: Cell<u32>,
 }
 
-impl Settling {
+impl Decisions {
     /// Whether a comparison was not decided.
-    pub fn is_unsettled(&self) -> bool {
-        self.unsettled.get()
+    pub fn is_undecided(&self) -> bool {
+        self.undecided.get()
     }
 
     /// A number that no value has had, from 1; the last one is given out for ever.
@@ -60,7 +60,7 @@ pub struct Ball<'a, const L: usize> {
     separation: Option<Separation>,
     /// Which value of the computation it is: the same one is equal to itself.
     number: u32,
-    settling: &'a Settling,
+    decisions: &'a Decisions,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,9 +74,9 @@ enum Kind {
 
 impl<'a, const L: usize> Ball<'a, L> {
     /// Exact; no value unless finite.
-    pub fn new(value: f64, settling: &'a Settling) -> Self {
+    pub fn new(value: f64, decisions: &'a Decisions) -> Self {
         if !value.is_finite() {
-            return Self::without_value(Kind::Nothing, settling);
+            return Self::without_value(Kind::Nothing, decisions);
         }
         let (significand, exponent) = float::significand(value);
         Ball {
@@ -84,14 +84,14 @@ impl<'a, const L: usize> Ball<'a, L> {
             middle: Limbs::from_f64(value),
             radius: Radius::ZERO,
             separation: (L > WITHOUT_SEPARATION).then(|| Separation::of_dyadic(significand, exponent.into())),
-            number: settling.next(),
-            settling,
+            number: decisions.next(),
+            decisions,
         }
     }
 
-    fn without_value(kind: Kind, settling: &'a Settling) -> Self {
-        let number = settling.next();
-        Ball { kind, middle: Limbs::ZERO, radius: Radius::ZERO, separation: None, number, settling }
+    fn without_value(kind: Kind, decisions: &'a Decisions) -> Self {
+        let number = decisions.next();
+        Ball { kind, middle: Limbs::ZERO, radius: Radius::ZERO, separation: None, number, decisions }
     }
 
     fn of(&self, cut: Cut<L>, radius: Radius, separation: Option<Separation>) -> Self {
@@ -99,8 +99,8 @@ impl<'a, const L: usize> Ball<'a, L> {
     }
 
     fn enclosed_in(&self, Enclosure { middle, radius }: Enclosure<L>, separation: Option<Separation>) -> Self {
-        let number = self.settling.next();
-        Ball { kind: Kind::Number, middle, radius, separation, number, settling: self.settling }.zero_if_shown()
+        let number = self.decisions.next();
+        Ball { kind: Kind::Number, middle, radius, separation, number, decisions: self.decisions }.zero_if_shown()
     }
 
     fn enclosure(&self) -> Enclosure<L> {
@@ -112,7 +112,7 @@ impl<'a, const L: usize> Ball<'a, L> {
         let exact = self.radius.is_zero();
         let least = self.separation.and_then(Separation::least);
         let vanishes = !exact && !self.is_apart_from_zero() && least.is_some_and(|least| self.is_below(least));
-        if vanishes { Ball::new(0.0, self.settling) } else { self }
+        if vanishes { Ball::new(0.0, self.decisions) } else { self }
     }
 
     /// Whether all of the ball is of one sign.
@@ -152,7 +152,7 @@ impl<'a, const L: usize> Ball<'a, L> {
             (Kind::Nothing, _) | (_, Kind::Nothing) => Kind::Nothing,
             _ => Kind::Unknown,
         };
-        Some(Self::without_value(kind, self.settling))
+        Some(Self::without_value(kind, self.decisions))
     }
 
     /// The nearest `f64`, off by [as little](CERTIFIED_RADIUS) as certified calls are, and whether it is the value itself; NaN where there
@@ -187,7 +187,7 @@ impl<'a, const L: usize> Ball<'a, L> {
     }
 
     fn negated(&self) -> Self {
-        Ball { middle: self.middle.negated(), number: self.settling.next(), ..self.clone() }
+        Ball { middle: self.middle.negated(), number: self.decisions.next(), ..self.clone() }
     }
 
     fn times(&self, other: &Self) -> Self {
@@ -202,12 +202,12 @@ impl<'a, const L: usize> Ball<'a, L> {
             return without;
         }
         match other.sign() {
-            Some(Ordering::Equal) => return Self::without_value(Kind::Nothing, self.settling),
-            None => return Self::without_value(Kind::Unknown, self.settling),
+            Some(Ordering::Equal) => return Self::without_value(Kind::Nothing, self.decisions),
+            None => return Self::without_value(Kind::Unknown, self.decisions),
             Some(_) => {}
         }
         if !other.radius.is_less_than(other.middle.leading(), other.middle.exponent() - 1) {
-            return Self::without_value(Kind::Unknown, self.settling);
+            return Self::without_value(Kind::Unknown, self.decisions);
         }
         let (value, exponent) = (other.middle.leading(), other.middle.exponent());
         let quotient = self.enclosure().middle_size().over(value, exponent);
@@ -217,7 +217,7 @@ impl<'a, const L: usize> Ball<'a, L> {
 
     /// The magnitude of the middle is no farther from that of the value than the middle is from the value.
     pub(crate) fn magnitude(&self) -> Self {
-        Ball { middle: self.middle.magnitude(), number: self.settling.next(), ..self.clone() }
+        Ball { middle: self.middle.magnitude(), number: self.decisions.next(), ..self.clone() }
     }
 }
 
@@ -230,7 +230,7 @@ impl<const L: usize> PartialEq for Ball<'_, L> {
 impl<const L: usize> PartialOrd for Ball<'_, L> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         let order = self.order(other);
-        self.settling.unsettled.set(self.settling.unsettled.get() | order.is_none());
+        self.decisions.undecided.set(self.decisions.undecided.get() | order.is_none());
         order.flatten()
     }
 }

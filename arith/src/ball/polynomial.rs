@@ -6,12 +6,12 @@ use super::radius::Radius;
 use crate::factored::{Stack, Step};
 use crate::limits::MAX_STACK;
 use crate::operand::Operand;
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 
 /// The value of a [factored form](Step): its first 128 bits, and whether there are more. `None` where enclosures do not tell.
 ///
 /// What they tell is the value's own, so it is bit for bit what an exact sum gives.
-pub(crate) fn polynomial(operand: &dyn Fn(u8) -> Option<Operand>, steps: &[u8]) -> Option<Soft> {
+pub(crate) fn polynomial(operand: &dyn Fn(u8) -> Option<Operand>, steps: &[u8]) -> Option<SoftFloat> {
     let told_by_four = told::<4>(operand, steps);
     #[cfg(feature = "large-balls")]
     return told_by_four
@@ -23,7 +23,7 @@ pub(crate) fn polynomial(operand: &dyn Fn(u8) -> Option<Operand>, steps: &[u8]) 
 }
 
 #[inline(never)]
-fn told<const L: usize>(operand: &dyn Fn(u8) -> Option<Operand>, steps: &[u8]) -> Option<Soft> {
+fn told<const L: usize>(operand: &dyn Fn(u8) -> Option<Operand>, steps: &[u8]) -> Option<SoftFloat> {
     let mut stack = Stack::<Enclosure<L>, MAX_STACK>::new();
     for &step in steps {
         let value = match Step::of(step) {

@@ -11,7 +11,7 @@ impl<const L: usize> Real for Ball<'_, L> {
     type Extended = Self;
 
     fn literal(&self, value: f64) -> Self {
-        Ball::new(value, self.settling)
+        Ball::new(value, self.decisions)
     }
 
     fn pi(&self) -> Self {
@@ -19,7 +19,7 @@ impl<const L: usize> Real for Ball<'_, L> {
     }
 
     fn nan(&self) -> Self {
-        Self::without_value(Kind::Nothing, self.settling)
+        Self::without_value(Kind::Nothing, self.decisions)
     }
 
     fn add(&self, other: &Self) -> Self {

@@ -38,9 +38,9 @@ fn steps(words: usize) -> u32 {
 impl<const L: usize> Ball<'_, L> {
     /// The real root of this degree; `start` gives that of an `f64`.
     pub(crate) fn root(&self, degree: u32, start: fn(f64) -> f64) -> Self {
-        let number = self.settling.next();
+        let number = self.decisions.next();
         let separation = || self.separation.and_then(|separation| separation.root(Root { number, degree }));
-        let without = |kind| Self::without_value(kind, self.settling);
+        let without = |kind| Self::without_value(kind, self.decisions);
         let odd = degree % 2 == 1;
         match (self.kind, self.sign()) {
             (Kind::Number, Some(Ordering::Greater)) => {
@@ -99,7 +99,7 @@ fn residual<const L: usize>(radicand: Limbs<L>, root: Limbs<L>, degree: u32) -> 
 
 /// The one positive root of c0 + c1 x + .. + cn x^n; see [`positive_root`](crate::positive_root()).
 pub(super) fn positive_root<'a, const L: usize>(context: &Ball<'a, L>, coefficients: &[Ball<'a, L>]) -> Ball<'a, L> {
-    let without = |kind| Ball::without_value(kind, context.settling);
+    let without = |kind| Ball::without_value(kind, context.decisions);
     if coefficients.iter().any(|c| c.kind == Kind::Nothing) {
         return without(Kind::Nothing);
     }
@@ -122,7 +122,7 @@ fn enclosed<'a, const L: usize>(
     coefficients: &[Ball<'a, L>],
     start: Limbs<L>,
 ) -> Option<Ball<'a, L>> {
-    let exact = |middle| Ball { middle, ..Ball::new(0.0, context.settling) }.without_separation();
+    let exact = |middle| Ball { middle, ..Ball::new(0.0, context.decisions) }.without_separation();
     let mut root = exact(start);
     for _ in 0..steps(L) {
         let (value, slope) = horner(coefficients, &root);
@@ -146,13 +146,13 @@ fn enclosed<'a, const L: usize>(
     let above = sign_at(root.plus(&distance))?;
     let found = (below, above) == (Ordering::Less, Ordering::Greater);
     // the ends are rounded themselves
-    let number = context.settling.next();
+    let number = context.decisions.next();
     found.then(|| Ball { radius: reach.plus(units), number, ..root.without_separation() })
 }
 
 /// The polynomial and its derivative at `x`.
 fn horner<'a, const L: usize>(coefficients: &[Ball<'a, L>], x: &Ball<'a, L>) -> (Ball<'a, L>, Ball<'a, L>) {
-    let zero = || Ball::new(0.0, x.settling);
+    let zero = || Ball::new(0.0, x.decisions);
     coefficients.iter().rev().fold((zero(), zero()), |(value, slope), c| {
         let next = slope.times(x).plus(&value);
         (value.times(x).plus(c), next)

@@ -13,7 +13,7 @@ use rug::{Float, Integer};
 
 use super::limbs::Limbs;
 use super::radius::Radius;
-use super::{Ball, Kind, Separation, Settling};
+use super::{Ball, Decisions, Kind, Separation};
 use crate::function::Function;
 use crate::real::Real;
 
@@ -58,7 +58,7 @@ impl Random {
     }
 
     /// A ball, and a value in it: in the middle, at an end or in between.
-    fn ball<'a, const L: usize>(&mut self, settling: &'a Settling) -> (Ball<'a, L>, Float) {
+    fn ball<'a, const L: usize>(&mut self, decisions: &'a Decisions) -> (Ball<'a, L>, Float) {
         let words: Vec<u64> = (0..L).map(|_| self.word()).collect();
         let range = [400, 400, 4_000][self.below(3) as usize];
         let exponent = self.below(range) as i64 - range as i64 / 2;
@@ -68,7 +68,7 @@ impl Random {
             0 => Radius::ZERO,
             _ => Radius::new(1.0 + self.below(1 << 20) as f64 / (1 << 20) as f64, exponent - self.below(300) as i64),
         };
-        let ball = Ball { middle, radius, ..Ball::new(0.0, settling) }.without_separation();
+        let ball = Ball { middle, radius, ..Ball::new(0.0, decisions) }.without_separation();
         let (value, power) = radius.parts();
         let radius = Float::with_val(BITS, value) << i32::try_from(power).unwrap();
         let part = Float::with_val(BITS, self.below(5)) / 2 - 1u32;
@@ -79,23 +79,23 @@ impl Random {
     /// A second ball, sometimes so near that the difference cancels.
     fn near<'a, const L: usize>(&mut self, of: &Ball<'a, L>) -> (Ball<'a, L>, Float) {
         if self.below(3) != 0 {
-            return self.ball(of.settling);
+            return self.ball(of.decisions);
         }
         let step =
             Limbs::from_integer(false, 1 + self.below(3), of.middle.exponent() - 64 * L as i64 + self.below(70) as i64);
         let (middle, _) = of.middle.plus(step);
-        let ball = Ball { middle, radius: Radius::ZERO, number: of.settling.next(), ..of.clone() };
+        let ball = Ball { middle, radius: Radius::ZERO, number: of.decisions.next(), ..of.clone() };
         let value = float_of(&ball.middle);
         (ball, value)
     }
 }
 
 fn operations_hold<const L: usize>(rounds: u32, seed: u64) {
-    let settling = Settling::default();
+    let decisions = Decisions::default();
     let mut random = Random(seed);
     let (mut quotients, mut roots) = (0, 0);
     for round in 0..rounds {
-        let (a, x) = random.ball::<L>(&settling);
+        let (a, x) = random.ball::<L>(&decisions);
         let (b, y) = random.near(&a);
         assert!(holds(&a.plus(&b), &Float::with_val(BITS, &x + &y)), "sum, {round}");
         assert!(holds(&a.plus(&b.negated()), &Float::with_val(BITS, &x - &y)), "difference, {round}");
@@ -137,12 +137,12 @@ fn balls_hold_what_operations_give() {
 
 #[test]
 fn balls_of_exact_operands_are_small() {
-    let settling = Settling::default();
+    let decisions = Decisions::default();
     let mut random = Random(6);
     for _ in 0..5_000 {
         let number = |random: &mut Random| {
             let value = 1.0 + random.below(1 << 52) as f64 / (1_u64 << 52) as f64;
-            Ball::<4>::new(value, &settling)
+            Ball::<4>::new(value, &decisions)
         };
         let (a, b) = (number(&mut random), number(&mut random));
         for (result, what) in [(a.over(&b), "quotient"), (a.call(Function::Sqrt), "root"), (a.times(&b), "product")] {
@@ -155,20 +155,20 @@ fn balls_of_exact_operands_are_small() {
 
 #[test]
 fn the_circle_constant_is_right_to_all_words() {
-    let settling = Settling::default();
-    let pi = Ball::<64>::new(1.0, &settling).pi();
+    let decisions = Decisions::default();
+    let pi = Ball::<64>::new(1.0, &decisions).pi();
     assert!(holds(&pi, &Float::with_val(BITS, Constant::Pi)));
     assert!(pi.radius.is_less_than(0.5, 4 - 64 * 64));
 }
 
 #[test]
 fn numbers_round_as_the_processor_rounds() {
-    let settling = Settling::default();
+    let decisions = Decisions::default();
     let mut random = Random(7);
     for _ in 0..20_000 {
         let (a, b) = (f64::from_bits(random.next()), f64::from_bits(random.next()));
         if a.is_finite() && b.is_finite() {
-            let (x, y) = (Ball::<4>::new(a, &settling), Ball::<4>::new(b, &settling));
+            let (x, y) = (Ball::<4>::new(a, &decisions), Ball::<4>::new(b, &decisions));
             assert_eq!(x.accepted(), Some((a, true)));
             let (product, _) = x.times(&y).accepted().unwrap();
             assert!(product == a * b || product.is_infinite(), "{a:e} * {b:e}");
@@ -177,19 +177,19 @@ fn numbers_round_as_the_processor_rounds() {
 }
 
 /// The sum of the roots of the first two numbers less those of the others.
-fn four_roots<'a, const L: usize>(numbers: [f64; 4], settling: &'a Settling) -> Ball<'a, L> {
-    let [a, b, c, d] = numbers.map(|x| Ball::<L>::new(x, settling).call(Function::Sqrt));
+fn four_roots<'a, const L: usize>(numbers: [f64; 4], decisions: &'a Decisions) -> Ball<'a, L> {
+    let [a, b, c, d] = numbers.map(|x| Ball::<L>::new(x, decisions).call(Function::Sqrt));
     a.plus(&b).plus(&c.negated()).plus(&d.negated())
 }
 
 #[test]
 fn what_is_exactly_zero_is_shown_to_be() {
-    let settling = Settling::default();
+    let decisions = Decisions::default();
     for numbers in [[2.0, 3.0, 3.0, 2.0], [0.1, 7.3, 7.3, 0.1], [1e10, 3e-5, 3e-5, 1e10], [8.0, 2.0, 18.0, 0.0]] {
-        assert_eq!(four_roots::<64>(numbers, &settling).accepted(), Some((0.0, true)), "{numbers:?}");
+        assert_eq!(four_roots::<64>(numbers, &decisions).accepted(), Some((0.0, true)), "{numbers:?}");
     }
     // (sqrt(2) + sqrt(3))^2 - 5 - 2 sqrt(6), and 1/3 + 1/3 + 1/3 - 1
-    let number = |x| Ball::<16>::new(x, &settling);
+    let number = |x| Ball::<16>::new(x, &decisions);
     let sum = number(2.0).call(Function::Sqrt).plus(&number(3.0).call(Function::Sqrt));
     let rest = number(5.0).plus(&number(24.0).call(Function::Sqrt));
     assert_eq!(sum.times(&sum).plus(&rest.negated()).accepted(), Some((0.0, true)));
@@ -199,23 +199,23 @@ fn what_is_exactly_zero_is_shown_to_be() {
 
 #[test]
 fn a_value_is_equal_to_itself() {
-    let settling = Settling::default();
-    let pi = Ball::<4>::new(1.0, &settling).pi();
+    let decisions = Decisions::default();
+    let pi = Ball::<4>::new(1.0, &decisions).pi();
     assert_eq!(pi.partial_cmp(&pi.clone()), Some(Ordering::Equal));
-    assert_eq!(pi.partial_cmp(&Ball::<4>::new(1.0, &settling).pi()), None, "another value");
-    let nothing = Ball::<4>::new(-1.0, &settling).call(Function::Sqrt);
+    assert_eq!(pi.partial_cmp(&Ball::<4>::new(1.0, &decisions).pi()), None, "another value");
+    let nothing = Ball::<4>::new(-1.0, &decisions).call(Function::Sqrt);
     assert_eq!(nothing.partial_cmp(&nothing.clone()), None);
 }
 
 #[test]
 fn what_is_nearly_zero_is_not_taken_for_zero() {
     // sqrt(a) + sqrt(b) - sqrt(c) - sqrt(d) at integers where it is small, and at the neighbours of where it vanishes
-    let settling = Settling::default();
+    let decisions = Decisions::default();
     let next = 7.3_f64.next_up();
     for numbers in [[0.1, 7.3, next, 0.1], [1e10, 3e-5, 3e-5, 1e10_f64.next_down()], [10.0, 11.0, 5.0, 18.0]] {
         let exact = numbers.map(|x| Float::with_val(BITS, x).sqrt());
         let exact = Float::with_val(BITS, &exact[0] + &exact[1]) - &exact[2] - &exact[3];
-        let (found, _) = four_roots::<64>(numbers, &settling).accepted().unwrap();
+        let (found, _) = four_roots::<64>(numbers, &decisions).accepted().unwrap();
         assert_eq!(found, exact.to_f64(), "{numbers:?}");
         assert!(found != 0.0);
     }
@@ -224,9 +224,9 @@ fn what_is_nearly_zero_is_not_taken_for_zero() {
 /// The bound must hold for every value that is not zero: the powers of sqrt(2) - 1 come near it.
 #[test]
 fn separation_bounds_hold() {
-    let settling = Settling::default();
-    let one = Ball::<64>::new(1.0, &settling);
-    let small = Ball::<64>::new(2.0, &settling).call(Function::Sqrt).plus(&one.negated());
+    let decisions = Decisions::default();
+    let one = Ball::<64>::new(1.0, &decisions);
+    let small = Ball::<64>::new(2.0, &decisions).call(Function::Sqrt).plus(&one.negated());
     let mut power = one.clone();
     for exponent in 1..200 {
         power = power.times(&small);
@@ -240,9 +240,9 @@ fn separation_bounds_hold() {
 /// number it is not.
 #[test]
 fn sums_of_roots_of_several_degrees_are_zero_or_not() {
-    let settling = Settling::default();
+    let decisions = Decisions::default();
     for (last, vanishes) in [(3.0, true), (3.0_f64.next_up(), false)] {
-        let number = |x| Ball::<64>::new(x, &settling);
+        let number = |x| Ball::<64>::new(x, &decisions);
         let root = |degree, x| number(x).call(Function::root(degree).unwrap());
         let (two, three) = (root(2, 2.0), root(3, 3.0));
         let square = two.plus(&three).times(&two.plus(&three));
@@ -251,16 +251,16 @@ fn sums_of_roots_of_several_degrees_are_zero_or_not() {
         let expected = if vanishes { Ordering::Equal } else { Ordering::Less };
         assert_eq!(rest.partial_cmp(&number(0.0)), Some(expected));
     }
-    assert!(!settling.is_unsettled());
+    assert!(!decisions.is_undecided());
 }
 
 /// The same of cube roots: the powers of 2 - cbrt(7) come near zero.
 #[test]
 fn separation_bounds_hold_of_cube_roots() {
-    let settling = Settling::default();
-    let root = Ball::<64>::new(7.0, &settling).call(Function::root(3).unwrap());
-    let small = Ball::new(2.0, &settling).plus(&root.negated());
-    let mut power = Ball::new(1.0, &settling);
+    let decisions = Decisions::default();
+    let root = Ball::<64>::new(7.0, &decisions).call(Function::root(3).unwrap());
+    let small = Ball::new(2.0, &decisions).plus(&root.negated());
+    let mut power = Ball::new(1.0, &decisions);
     for exponent in 1..100 {
         power = power.times(&small);
         let least = power.separation.and_then(Separation::least).unwrap();
@@ -272,41 +272,41 @@ fn separation_bounds_hold_of_cube_roots() {
 /// As many roots as there are make it smaller, and so do divisors.
 #[test]
 fn separation_bounds_hold_of_many_roots_and_of_quotients() {
-    let settling = Settling::default();
+    let decisions = Decisions::default();
     let below = |ball: &Ball<64>, exact: Float| {
         let least = ball.separation.and_then(Separation::least).unwrap();
         assert!(exact.abs() >= Float::with_val(BITS, 1) << i32::try_from(least).unwrap(), "{least}");
     };
     for numbers in [[10.0, 11.0, 5.0, 18.0], [2.0, 37.0, 15.0, 13.0], [1e6, 1e6 + 3.0, 1e6 + 1.0, 1e6 + 2.0]] {
         let exact = numbers.map(|x| Float::with_val(BITS, x).sqrt());
-        below(&four_roots(numbers, &settling), Float::with_val(BITS, &exact[0] + &exact[1]) - &exact[2] - &exact[3]);
+        below(&four_roots(numbers, &decisions), Float::with_val(BITS, &exact[0] + &exact[1]) - &exact[2] - &exact[3]);
     }
     for divisor in [3.0, 5.0, 7.0, 1e15 + 37.0] {
-        let quotient = Ball::<64>::new(1.0, &settling).over(&Ball::new(divisor, &settling));
-        let near = Ball::new(1.0 / divisor, &settling);
+        let quotient = Ball::<64>::new(1.0, &decisions).over(&Ball::new(divisor, &decisions));
+        let near = Ball::new(1.0 / divisor, &decisions);
         below(&quotient.plus(&near.negated()), Float::with_val(BITS, 1) / divisor - 1.0 / divisor);
     }
 }
 
 #[test]
 fn what_has_no_value_and_what_is_unknown_are_told_apart() {
-    let settling = Settling::default();
-    let number = |x| Ball::<4>::new(x, &settling);
+    let decisions = Decisions::default();
+    let number = |x| Ball::<4>::new(x, &decisions);
     assert_eq!(number(-1.0).call(Function::Sqrt).kind, Kind::Nothing);
     assert_eq!(number(1.0).over(&number(0.0)).kind, Kind::Nothing);
     // a sum with pi that the circle constant's bits do not tell from zero
     let pi = number(1.0).pi();
     let rest = pi.plus(&pi.negated());
     assert_eq!((rest.call(Function::Sqrt).kind, number(1.0).over(&rest).kind), (Kind::Unknown, Kind::Unknown));
-    assert!(!settling.is_unsettled());
+    assert!(!decisions.is_undecided());
     assert_eq!(rest.partial_cmp(&number(0.0)), None);
-    assert!(settling.is_unsettled());
-    assert_eq!(Ball::<4>::new(f64::NAN, &settling).accepted().map(|(value, _)| value.is_nan()), Some(true));
+    assert!(decisions.is_undecided());
+    assert_eq!(Ball::<4>::new(f64::NAN, &decisions).accepted().map(|(value, _)| value.is_nan()), Some(true));
 }
 
 #[test]
 fn roots_of_polynomials_are_enclosed() {
-    let settling = Settling::default();
+    let decisions = Decisions::default();
     let mut random = Random(8);
     for _ in 0..300 {
         let degree = 1 + random.below(16) as usize;
@@ -318,7 +318,7 @@ fn roots_of_polynomials_are_enclosed() {
                 if power < turn { -size } else { size }
             })
             .collect();
-        let balls: Vec<Ball<16>> = coefficients.iter().map(|c| Ball::new(*c, &settling)).collect();
+        let balls: Vec<Ball<16>> = coefficients.iter().map(|c| Ball::new(*c, &decisions)).collect();
         let root = balls[0].positive_root(&balls);
         let (found, _) = root.accepted().unwrap();
         // the polynomial changes sign between the ends of the ball, and between the neighbours of what is rounded

@@ -16,7 +16,7 @@ use core::cmp::Ordering;
 use crate::error_model::bounded::{COLLAPSED, KEPT, MOST, RELATIVE, ROOM, UNDERFLOW};
 pub use signs::Signs;
 
-/// A number with a bound of its error; `doubt` is raised where the bound is lost.
+/// A number with a bound of its error; `escalate` is raised where the bound is lost.
 ///
 /// Not `WATCHED`, it is for inputs at which no step over- or underflows, and a quotient or root asks that the error so far be
 /// small: loops over it vectorise. `WATCHED`, it is for all finite inputs, each step is looked at, and a quotient carries its
@@ -30,7 +30,7 @@ pub struct Bounded<'a, const WATCHED: bool> {
     /// Whether `error` is 0.
     clean: bool,
     signs: Signs,
-    doubt: &'a Cell<bool>,
+    escalate: &'a Cell<bool>,
 }
 
 /// (1 + u)^`count` - 1, or more; infinite where nothing is proved of so many.
@@ -40,16 +40,16 @@ fn relative(count: u32) -> f64 {
 }
 
 impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
-    /// An input of one of these signs, and where to raise doubt.
+    /// An input of one of these signs, and where to escalate.
     #[inline(always)]
-    pub fn new(value: f64, signs: Signs, doubt: &'a Cell<bool>) -> Self {
-        Bounded { value, count: 0, error: 0.0, slack: 0, clean: true, signs, doubt }
+    pub fn new(value: f64, signs: Signs, escalate: &'a Cell<bool>) -> Self {
+        Bounded { value, count: 0, error: 0.0, slack: 0, clean: true, signs, escalate }
     }
 
     /// A number with an error, for judges of single steps.
     #[must_use]
-    pub fn with_error(value: f64, count: u32, error: f64, signs: Signs, doubt: &'a Cell<bool>) -> Self {
-        Bounded { count, error, clean: error == 0.0, ..Self::new(value, signs, doubt) }
+    pub fn with_error(value: f64, count: u32, error: f64, signs: Signs, escalate: &'a Cell<bool>) -> Self {
+        Bounded { count, error, clean: error == 0.0, ..Self::new(value, signs, escalate) }
     }
 
     /// The number.
@@ -58,7 +58,7 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
         self.value
     }
 
-    /// The number, and doubt unless its relative error is at most `promise`.
+    /// The number, and escalate unless its relative error is at most `promise`.
     #[inline(always)]
     pub fn keeping(self, promise: f64) -> f64 {
         let left = promise * KEPT - relative(self.count);
@@ -84,7 +84,7 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
         (self.slack <= MOST) & (self.error * ROOM <= share * self.value.abs())
     }
 
-    /// The same number with all its error in `count`; doubt where it is too large.
+    /// The same number with all its error in `count`; escalate where it is too large.
     #[inline(always)]
     fn collapsed(&self) -> Self {
         if self.clean {
@@ -105,18 +105,18 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn raise(&self, doubt: bool) {
-        self.doubt.set(self.doubt.get() | doubt);
+    fn raise(&self, escalate: bool) {
+        self.escalate.set(self.escalate.get() | escalate);
     }
 
-    /// Raises doubt unless what is watched is `fine`.
+    /// Raises escalate unless what is watched is `fine`.
     #[inline(always)]
     fn watched(self, fine: bool) -> Self {
         self.raise(WATCHED & !fine);
         self
     }
 
-    /// Raises doubt unless the two numbers compare as what they stand for does.
+    /// Raises escalate unless the two numbers compare as what they stand for does.
     #[inline(always)]
     fn compare(&self, other: &Self) {
         let signed = |number: &Self| number.clean & (number.count <= MOST);

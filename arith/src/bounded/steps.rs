@@ -8,7 +8,7 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
     /// A number that is what it stands for.
     #[inline(always)]
     pub(super) fn exactly(&self, value: f64, signs: Signs) -> Self {
-        Self::new(value, signs, self.doubt)
+        Self::new(value, signs, self.escalate)
     }
 
     #[inline(always)]

@@ -6,7 +6,7 @@ use super::{Cost, Definition, Properties};
 use crate::ball::Ball;
 use crate::double_double::DoubleDouble;
 use crate::error_model::Units;
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 
 /// The magnitude of a number.
 pub(super) struct Abs;
@@ -35,7 +35,7 @@ impl Definition for Abs {
         if x.round() < 0.0 { -x } else { x }
     }
 
-    fn soft(x: Soft) -> Soft {
+    fn soft(x: SoftFloat) -> SoftFloat {
         x.magnitude()
     }
 

@@ -7,7 +7,7 @@ use crate::ball::Ball;
 use crate::double_double::DoubleDouble;
 use crate::error_model::{CUBE_ROOT, double_double};
 use crate::range::power_of_two;
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 
 /// The real cube root: the real number whose cube is the argument.
 pub(super) struct Cbrt;
@@ -61,7 +61,7 @@ impl Definition for Cbrt {
         DoubleDouble::two_sum(y, correction) * back
     }
 
-    fn soft(x: Soft) -> Soft {
+    fn soft(x: SoftFloat) -> SoftFloat {
         x.root(3, Self::double)
     }
 

@@ -17,7 +17,7 @@ use core::cmp::Ordering;
 
 use crate::ball::Ball;
 use crate::double_double::DoubleDouble;
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 pub use cost::Cost;
 pub use properties::Properties;
 
@@ -34,7 +34,7 @@ trait Definition {
     fn double_double(x: DoubleDouble) -> DoubleDouble;
 
     /// In integers with an endless exponent, right to 2^-120.
-    fn soft(x: Soft) -> Soft;
+    fn soft(x: SoftFloat) -> SoftFloat;
 
     /// In balls: one that holds the value at every number of the ball `x`.
     fn ball<'a, const L: usize>(x: &Ball<'a, L>) -> Ball<'a, L>;
@@ -86,7 +86,7 @@ macro_rules! functions {
             }
 
             /// Its value in integers with an endless exponent.
-            pub(crate) fn soft(self, x: Soft) -> Soft {
+            pub(crate) fn soft(self, x: SoftFloat) -> SoftFloat {
                 match self {
                     $(Self::$name => $file::$name::soft(x),)*
                 }

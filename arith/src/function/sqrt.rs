@@ -7,7 +7,7 @@ use crate::ball::Ball;
 use crate::double_double::DoubleDouble;
 use crate::error_model::{ROUNDING, double_double};
 use crate::float;
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 
 /// The square root; none below zero.
 pub(super) struct Sqrt;
@@ -39,7 +39,7 @@ impl Definition for Sqrt {
         x.sqrt()
     }
 
-    fn soft(x: Soft) -> Soft {
+    fn soft(x: SoftFloat) -> SoftFloat {
         x.root(2, float::sqrt)
     }
 

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::format::{Instruction, Source, Table};
-use crate::ball::{Ball, Settling};
+use crate::ball::{Ball, Decisions};
 use crate::exact;
 use crate::factored::Stack;
 use crate::limits::MAX_HELD;
@@ -32,7 +32,7 @@ pub(super) struct Machine<'r, 's, const L: usize> {
     pub(super) table: &'r Table<'r>,
     pub(super) inputs: &'r [f64],
     pub(super) registers: &'r mut [Ball<'s, L>],
-    pub(super) settling: &'s Settling,
+    pub(super) decisions: &'s Decisions,
     /// Whether no larger balls are left: then what is open is left open, and exact sums are asked.
     pub(super) last: bool,
     /// What a register would hold that the table does not have.
@@ -130,7 +130,7 @@ impl<'s, const L: usize> Machine<'_, 's, L> {
     }
 
     fn exact(&self, value: &f64) -> Ball<'s, L> {
-        Ball::new(*value, self.settling)
+        Ball::new(*value, self.decisions)
     }
 
     /// The exact sum instead of a ball whose sign is open, where no larger balls are left.

@@ -2,7 +2,7 @@
 
 use super::format::Table;
 use super::machine::{End, Machine};
-use crate::ball::{Ball, Settling};
+use crate::ball::{Ball, Decisions};
 use crate::factored::Stack;
 use crate::rounded::Certified;
 
@@ -58,9 +58,9 @@ fn in_balls<const L: usize, const R: usize>(
     results: &mut [Certified],
     last: bool,
 ) -> Option<Domain> {
-    let settling = Settling::default();
-    let mut registers: [Ball<L>; R] = core::array::from_fn(|_| Ball::unknown(&settling));
-    run(table, inputs, aim, results, last, &mut registers, &settling)
+    let decisions = Decisions::default();
+    let mut registers: [Ball<L>; R] = core::array::from_fn(|_| Ball::unknown(&decisions));
+    run(table, inputs, aim, results, last, &mut registers, &decisions)
 }
 
 #[inline(never)]
@@ -71,11 +71,11 @@ fn run<'s, const L: usize>(
     results: &mut [Certified],
     last: bool,
     registers: &mut [Ball<'s, L>],
-    settling: &'s Settling,
+    decisions: &'s Decisions,
 ) -> Option<Domain> {
     results.fill(Certified::UNDECIDED);
-    let (missing, truths) = (Ball::unknown(settling), Stack::new());
-    let mut machine = Machine { table, inputs, registers, settling, last, missing, truths, overflows: false };
+    let (missing, truths) = (Ball::unknown(decisions), Stack::new());
+    let mut machine = Machine { table, inputs, registers, decisions, last, missing, truths, overflows: false };
     let end = machine.run(|position, ball| {
         let nearest = ball.certified(aim == Aim::Nearest);
         let found = if last { nearest.or_else(|| ball.certified(false)) } else { nearest };

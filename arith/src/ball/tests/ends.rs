@@ -7,12 +7,12 @@ use rug::{Float, Integer};
 use super::{BITS, Random};
 use crate::ball::limbs::Limbs;
 use crate::ball::radius::Radius;
-use crate::ball::{Ball, Settling, polynomial};
+use crate::ball::{Ball, Decisions, polynomial};
 use crate::exact;
 use crate::factored::Step;
 use crate::operand::Operand;
 use crate::rounded::{Fate, Rounded};
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 use crate::terms::Terms;
 
 /// Balls whose ends lie near where rounding turns, of all sizes that results have: those that `f64` has, those that it
@@ -52,7 +52,7 @@ fn limbs_of<const L: usize>(number: &Float) -> Option<Limbs<L>> {
 
 #[test]
 fn what_is_certified_is_the_nearest_and_its_error_is_bounded() {
-    let settling = Settling::default();
+    let decisions = Decisions::default();
     let mut random = Random(10);
     let (mut told, mut open, mut lost) = (0, 0, 0);
     for _ in 0..30_000 {
@@ -62,7 +62,7 @@ fn what_is_certified_is_the_nearest_and_its_error_is_bounded() {
                 0 => Radius::ZERO,
                 _ => Radius::new(1.0, limbs.exponent() - 30 - random.below(500) as i64),
             };
-            let ball = Ball { middle: limbs, radius, ..Ball::<8>::new(0.0, &settling) }.without_separation();
+            let ball = Ball { middle: limbs, radius, ..Ball::<8>::new(0.0, &decisions) }.without_separation();
             let (value, power) = radius.parts();
             let reach = Float::with_val(BITS, value) << i32::try_from(power).unwrap();
             let ends =
@@ -123,7 +123,7 @@ fn enclosures_tell_what_exact_sums_give() {
         if let Some(found) = polynomial(&of, &steps) {
             told += 1;
             zeros += u32::from(found.is_zero());
-            let bits = |soft: Soft| std::format!("{soft:?}");
+            let bits = |soft: SoftFloat| std::format!("{soft:?}");
             assert_eq!(bits(found), bits(exact), "{round}: {values:?}");
         }
     }

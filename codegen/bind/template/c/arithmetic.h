@@ -1,5 +1,5 @@
 /*
- * The arithmetic of tier 1: doubles and pairs of them, as closedform computes them in Rust, operation by operation. `doubt` is
+ * The arithmetic of tier 1: doubles and pairs of them, as closedform computes them in Rust, operation by operation. `escalate` is
  * raised where a step may not be what it promises.
  */
 #ifndef @CONSTANT@_ARITHMETIC_H
@@ -66,18 +66,18 @@ static inline int cf_either(int left, int right) {
 
 /* Doubles. */
 
-static inline double cf_divide(double a, double b, unsigned *doubt) {
-    *doubt |= (unsigned)!(b != 0.0);
+static inline double cf_divide(double a, double b, unsigned *escalate) {
+    *escalate |= (unsigned)!(b != 0.0);
     return a / b;
 }
 
-static inline double cf_sqrt(double x, unsigned *doubt) {
-    *doubt |= (unsigned)!(x >= 0.0);
+static inline double cf_sqrt(double x, unsigned *escalate) {
+    *escalate |= (unsigned)!(x >= 0.0);
     return sqrt(x);
 }
 
-static inline double cf_abs(double x, unsigned *doubt) {
-    (void)doubt;
+static inline double cf_abs(double x, unsigned *escalate) {
+    (void)escalate;
     return fabs(x);
 }
 
@@ -155,21 +155,21 @@ static inline cf_dd cf_times(cf_dd x, cf_dd y) {
     return cf_fast_two_sum(product.high, product.low + cross);
 }
 
-/* Double-double as the arithmetic of a program: a step that leaves the range raises doubt. */
+/* Double-double as the arithmetic of a program: a step that leaves the range escalates. */
 
-static inline cf_dd cf_in_range(cf_dd x, int may_vanish, unsigned *doubt) {
+static inline cf_dd cf_in_range(cf_dd x, int may_vanish, unsigned *escalate) {
     double size = fabs(x.high);
     int inside = ((size >= CF_LEAST) & (size <= CF_MOST)) | (may_vanish & (size == 0.0));
-    *doubt |= (unsigned)!inside;
+    *escalate |= (unsigned)!inside;
     return x;
 }
 
-static inline cf_dd cf_dd_input(double x, unsigned *doubt) {
-    return cf_in_range(cf_exact(x), 1, doubt);
+static inline cf_dd cf_dd_input(double x, unsigned *escalate) {
+    return cf_in_range(cf_exact(x), 1, escalate);
 }
 
-static inline cf_dd cf_dd_literal(double x, unsigned *doubt) {
-    *doubt |= (unsigned)(fabs(x) > CF_LARGEST_FACTOR);
+static inline cf_dd cf_dd_literal(double x, unsigned *escalate) {
+    *escalate |= (unsigned)(fabs(x) > CF_LARGEST_FACTOR);
     return cf_exact(x);
 }
 
@@ -177,35 +177,35 @@ static inline cf_dd cf_dd_pi(void) {
     return cf_two_sum(3.141592653589793, 1.2246467991473532e-16);
 }
 
-static inline cf_dd cf_dd_add(cf_dd x, cf_dd y, unsigned *doubt) {
-    return cf_in_range(cf_plus(x, y), 1, doubt);
+static inline cf_dd cf_dd_add(cf_dd x, cf_dd y, unsigned *escalate) {
+    return cf_in_range(cf_plus(x, y), 1, escalate);
 }
 
-static inline cf_dd cf_dd_subtract(cf_dd x, cf_dd y, unsigned *doubt) {
-    return cf_in_range(cf_plus(x, cf_dd_negate(y)), 1, doubt);
+static inline cf_dd cf_dd_subtract(cf_dd x, cf_dd y, unsigned *escalate) {
+    return cf_in_range(cf_plus(x, cf_dd_negate(y)), 1, escalate);
 }
 
-static inline cf_dd cf_dd_multiply(cf_dd x, cf_dd y, unsigned *doubt) {
-    return cf_in_range(cf_times(x, y), (x.high == 0.0) | (y.high == 0.0), doubt);
+static inline cf_dd cf_dd_multiply(cf_dd x, cf_dd y, unsigned *escalate) {
+    return cf_in_range(cf_times(x, y), (x.high == 0.0) | (y.high == 0.0), escalate);
 }
 
-static inline cf_dd cf_dd_divide(cf_dd x, cf_dd y, unsigned *doubt) {
+static inline cf_dd cf_dd_divide(cf_dd x, cf_dd y, unsigned *escalate) {
     double quotient = x.high / y.high;
     cf_dd product = cf_times_exact(y, quotient);
     double rest = (x.high - product.high) + (x.low - product.low);
-    return cf_in_range(cf_fast_two_sum(quotient, rest / y.high), x.high == 0.0, doubt);
+    return cf_in_range(cf_fast_two_sum(quotient, rest / y.high), x.high == 0.0, escalate);
 }
 
-static inline cf_dd cf_dd_sqrt(cf_dd x, unsigned *doubt) {
+static inline cf_dd cf_dd_sqrt(cf_dd x, unsigned *escalate) {
     double root = sqrt(x.high);
     cf_dd square = cf_two_product(root, root);
     double remainder = (x.high - square.high) - square.low;
     double correction = (x.low + remainder) / (2.0 * root);
-    return cf_in_range(root == 0.0 ? x : cf_fast_two_sum(root, correction), 1, doubt);
+    return cf_in_range(root == 0.0 ? x : cf_fast_two_sum(root, correction), 1, escalate);
 }
 
-static inline cf_dd cf_dd_abs(cf_dd x, unsigned *doubt) {
-    (void)doubt;
+static inline cf_dd cf_dd_abs(cf_dd x, unsigned *escalate) {
+    (void)escalate;
     return x.high < 0.0 ? cf_dd_negate(x) : x;
 }
 
@@ -271,24 +271,24 @@ static inline int cf_is_settled(cf_sum x, double threshold) {
     return fabs(x.value.high) > threshold * x.size;
 }
 
-static inline double cf_compensated(cf_sum x, double threshold, unsigned *doubt) {
-    *doubt |= (unsigned)!cf_is_settled(x, threshold);
+static inline double cf_compensated(cf_sum x, double threshold, unsigned *escalate) {
+    *escalate |= (unsigned)!cf_is_settled(x, threshold);
     return x.value.high;
 }
 
-static inline cf_dd cf_dd_compensated(cf_sum x, double threshold, unsigned *doubt) {
-    *doubt |= (unsigned)!cf_is_settled(x, threshold);
-    return cf_in_range(x.value, 0, doubt);
+static inline cf_dd cf_dd_compensated(cf_sum x, double threshold, unsigned *escalate) {
+    *escalate |= (unsigned)!cf_is_settled(x, threshold);
+    return cf_in_range(x.value, 0, escalate);
 }
 
-static inline double cf_residual(cf_sum x, unsigned *doubt) {
-    (void)doubt;
+static inline double cf_residual(cf_sum x, unsigned *escalate) {
+    (void)escalate;
     return x.value.high;
 }
 
-static inline cf_dd cf_dd_residual(cf_sum x, unsigned *doubt) {
-    *doubt |= (unsigned)!cf_is_finite(x.size);
-    return cf_in_range(x.value, 1, doubt);
+static inline cf_dd cf_dd_residual(cf_sum x, unsigned *escalate) {
+    *escalate |= (unsigned)!cf_is_finite(x.size);
+    return cf_in_range(x.value, 1, escalate);
 }
 
 #endif

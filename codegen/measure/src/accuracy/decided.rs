@@ -17,7 +17,7 @@ impl Interpreted<'_> {
 
     fn answer(&self) -> Answer<Self> {
         match self.kernel.meta.precision {
-            Precision::Double => tier::plain(self),
+            Precision::Double => tier::default(self),
             Precision::DoubleDouble => tier::faithful(self),
             Precision::Certified => tier::certified(self),
         }

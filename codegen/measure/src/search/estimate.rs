@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use closedform_arith::{DoubleDouble, Guarded, Mpfr};
+use closedform_arith::{DoubleDouble, FilteredDoubleDouble, Mpfr};
 use closedform_syntax::{Kernel, evaluate};
 use rug::Float;
 
@@ -10,7 +10,7 @@ use rug::Float;
 /// the range, so that nothing is known of it. Good enough to find inputs worth a look, not to judge them.
 pub(super) fn in_double_double(kernel: &Kernel, result: usize, point: &[f64]) -> Option<DoubleDouble> {
     let left = Cell::new(false);
-    let inputs: Vec<_> = point.iter().map(|value| Guarded::<true>::new(*value, &left)).collect();
+    let inputs: Vec<_> = point.iter().map(|value| FilteredDoubleDouble::<true>::new(*value, &left)).collect();
     let exact = evaluate(kernel, &inputs).get(result)?.value();
     (!left.get()).then_some(exact)
 }

@@ -47,7 +47,7 @@ pub struct Printer<'a> {
     /// What inputs and steps are called, by their slots.
     pub names: &'a [String],
     /// The variable that is raised.
-    pub doubt: &'a str,
+    pub escalate: &'a str,
 }
 
 impl Printer<'_> {
@@ -60,7 +60,7 @@ impl Printer<'_> {
             Expr::Pi(_) => "cf_dd_pi()".to_owned(),
             Expr::Neg(inner) => self.negative(&self.expression(inner)),
             Expr::Binary { op, left, right } => self.binary(*op, &self.expression(left), &self.expression(right)),
-            Expr::Call(function, inner) => self.doubted(function.name(), &[self.expression(inner)]),
+            Expr::Call(function, inner) => self.escalating(function.name(), &[self.expression(inner)]),
             Expr::Extreme { largest, items } => self.extreme(*largest, items),
             Expr::If { condition, then, otherwise } => {
                 format!("({} ? {} : {})", self.condition(condition), self.expression(then), self.expression(otherwise))
@@ -76,7 +76,7 @@ impl Printer<'_> {
         match self.arithmetic {
             Arithmetic::Double if value.is_sign_negative() => format!("({})", number(value)),
             Arithmetic::Double => number(value),
-            Arithmetic::DoubleDouble => self.doubted("literal", &[number(value)]),
+            Arithmetic::DoubleDouble => self.escalating("literal", &[number(value)]),
         }
     }
 
@@ -96,13 +96,13 @@ impl Printer<'_> {
         };
         match (self.arithmetic, op) {
             (Arithmetic::Double, BinaryOp::Add | BinaryOp::Sub | BinaryOp::Mul) => format!("({left} {sign} {right})"),
-            _ => self.doubted(name, &[left.to_owned(), right.to_owned()]),
+            _ => self.escalating(name, &[left.to_owned(), right.to_owned()]),
         }
     }
 
-    /// A call of a function that may raise doubt.
-    fn doubted(&self, name: &str, arguments: &[String]) -> String {
-        format!("{}({}, &{})", self.arithmetic.function(name), arguments.join(", "), self.doubt)
+    /// A call of a function that may escalate.
+    fn escalating(&self, name: &str, arguments: &[String]) -> String {
+        format!("{}({}, &{})", self.arithmetic.function(name), arguments.join(", "), self.escalate)
     }
 
     fn extreme(&self, largest: bool, items: &[Expr]) -> String {
@@ -140,14 +140,16 @@ impl Printer<'_> {
     fn compensated(&self, expression: &CompensatedExpr) -> String {
         match Part::of(&expression.value) {
             Part::Operand(operand) => self.operand(operand),
-            Part::Extended(part) => self.doubted("compensated", &[self.extended(part), number(expression.threshold)]),
+            Part::Extended(part) => {
+                self.escalating("compensated", &[self.extended(part), number(expression.threshold)])
+            }
         }
     }
 
     fn residual(&self, expression: &Expr) -> String {
         match Part::of(expression) {
             Part::Operand(operand) => self.operand(operand),
-            Part::Extended(part) => self.doubted("residual", &[self.extended(part)]),
+            Part::Extended(part) => self.escalating("residual", &[self.extended(part)]),
         }
     }
 

@@ -7,7 +7,7 @@ use crate::lines::Lines;
 use closedform_syntax::{Expr, Precision};
 
 /// Names of variables besides inputs, steps and results.
-const OWN: [&str; 2] = ["doubt", "inside"];
+const OWN: [&str; 2] = ["escalate", "inside"];
 
 /// The head of the function.
 pub fn signature(names: &KernelNames) -> String {
@@ -24,13 +24,13 @@ pub fn function(lines: &mut Lines, kernel: &Bound, names: &KernelNames, constant
     };
     let variables = Variables::new(kernel, names, arithmetic);
     lines.wrapped("", &signature(names)).line("{").indented(|lines| {
-        lines.line(format!("unsigned {} = 0;", variables.doubt)).line(format!("int {};", variables.inside));
-        let printer = Printer { arithmetic, names: &variables.names, doubt: &variables.doubt };
+        lines.line(format!("unsigned {} = 0;", variables.escalate)).line(format!("int {};", variables.inside));
+        let printer = Printer { arithmetic, names: &variables.names, escalate: &variables.escalate };
         checks(lines, kernel, names, &variables, constants);
         domain(lines, kernel, names, &variables, &printer, constants);
         steps(lines, kernel, &variables, &printer);
         let refused = format!("return {constants}_NOT_SETTLED;");
-        lines.line(format!("if ({}) {{", variables.doubt)).indented(|lines| _ = lines.line(refused)).line("}");
+        lines.line(format!("if ({}) {{", variables.escalate)).indented(|lines| _ = lines.line(refused)).line("}");
         results(lines, names, &variables, arithmetic);
         lines.line(format!("return {constants}_SETTLED;"));
     });
@@ -42,7 +42,7 @@ struct Variables {
     /// Of inputs and steps, by their slots.
     names: Vec<String>,
     /// The variable that is raised, and the one that says whether the domain holds the inputs.
-    doubt: String,
+    escalate: String,
     inside: String,
     /// Of results.
     values: Vec<String>,
@@ -52,7 +52,7 @@ impl Variables {
     fn new(kernel: &Bound, names: &KernelNames, arithmetic: Arithmetic) -> Self {
         let taken: Vec<String> = names.inputs.iter().chain(&names.results).cloned().collect();
         let mut scope = scope_with(&taken);
-        let [doubt, inside] = OWN.map(|own| scope.name(own));
+        let [escalate, inside] = OWN.map(|own| scope.name(own));
         let inputs = names.inputs.iter().map(|input| match arithmetic {
             Arithmetic::Double => input.clone(),
             Arithmetic::DoubleDouble => scope.name(&format!("{input}_dd")),
@@ -60,7 +60,7 @@ impl Variables {
         let mut all: Vec<String> = inputs.collect();
         all.extend(kernel.kernel.lets.iter().map(|step| scope.name(&own(&step.name.to_string()))));
         let values = kernel.results.iter().map(|result| scope.name(&own(&format!("{}_value", result.name)))).collect();
-        Self { names: all, doubt, inside, values }
+        Self { names: all, escalate, inside, values }
     }
 }
 
@@ -77,8 +77,8 @@ fn checks(lines: &mut Lines, kernel: &Bound, names: &KernelNames, variables: &Va
     let infinite: Vec<String> = names.inputs.iter().map(|input| format!("!cf_is_finite({input})")).collect();
     leave(lines, &infinite.join(" || "), &format!("{constants}_OUTSIDE"));
     for input in &names.inputs {
-        let (k, doubt) = (kernel.ordinary, &variables.doubt);
-        lines.line(format!("{doubt} |= (unsigned)!cf_ordinary({input}, 0x1p-{k}, 0x1p+{k});"));
+        let (k, escalate) = (kernel.ordinary, &variables.escalate);
+        lines.line(format!("{escalate} |= (unsigned)!cf_ordinary({input}, 0x1p-{k}, 0x1p+{k});"));
     }
 }
 
@@ -97,7 +97,7 @@ fn domain(
 ) {
     if printer.arithmetic == Arithmetic::DoubleDouble {
         for (input, variable) in names.inputs.iter().zip(&variables.names) {
-            lines.line(format!("const cf_dd {variable} = cf_dd_input({input}, &{});", variables.doubt));
+            lines.line(format!("const cf_dd {variable} = cf_dd_input({input}, &{});", variables.escalate));
         }
     }
     let inside = &variables.inside;
@@ -105,7 +105,7 @@ fn domain(
     for require in &kernel.kernel.requires {
         lines.wrapped("", &format!("{inside} &= {};", printer.condition(&require.condition)));
     }
-    leave(lines, &variables.doubt, &format!("{constants}_NOT_SETTLED"));
+    leave(lines, &variables.escalate, &format!("{constants}_NOT_SETTLED"));
     leave(lines, &format!("!{inside}"), &format!("{constants}_OUTSIDE"));
 }
 

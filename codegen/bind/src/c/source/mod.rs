@@ -1,4 +1,4 @@
-//! C99 source of tier 1: the program text of every kernel with a quick way, for those who have no Rust.
+//! C99 source of tier 1: the program text of every kernel with a first tier, for those who have no Rust.
 
 mod expression;
 mod function;
@@ -26,7 +26,7 @@ const ABOUT: [&str; 4] = [
 /// What the functions return.
 const CONSTANTS: [&str; 4] = ["SETTLED", "OUTSIDE", "NOT_SETTLED", "NULL"];
 
-/// Whether a kernel has a quick way, and C has its functions.
+/// Whether a kernel has a first tier, and C has its functions.
 fn is_in_c(kernel: &Bound) -> bool {
     let mut known = true;
     kernel.kernel.visit(&mut |expr| match expr {

@@ -1,36 +1,36 @@
-//! `Plain`: the arithmetic of default calls, `f64`, which raises doubt where a step may not be what it promises.
+//! `Filtered`: the arithmetic of default calls, `f64`, which escalates where a step may not be what it promises.
 
 use core::cell::Cell;
 use core::cmp::Ordering;
 
+use crate::bounded_double_double::BoundedDoubleDouble;
 use crate::function::Function;
-use crate::measured::Measured;
 use crate::operand::Operand;
 use crate::polynomial::polynomial;
 use crate::real::Real;
 use crate::root;
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 use crate::terms::Terms;
 
-/// What `f64` computes, in one of two ways, which return the same bits unless `doubt` is raised.
+/// What `f64` computes, in one of two ways, which return the same bits unless `escalate` is raised.
 ///
 /// Not `WATCHED`, it is for inputs of the kernel's ordinary magnitudes, at which no step over- or underflows: nothing is
 /// tested but what magnitudes do not decide, and loops over it vectorise. A `compensated!` expression that has to be summed
-/// exactly raises doubt.
+/// exactly escalates.
 ///
-/// `WATCHED`, it is for all finite inputs: a step that over- or underflows raises doubt, and compensated expressions are summed exactly
+/// `WATCHED`, it is for all finite inputs: a step that over- or underflows escalates, and compensated expressions are summed exactly
 /// where double-double cannot tell their digits.
 #[derive(Clone, Copy)]
-pub struct Plain<'a, const WATCHED: bool> {
+pub struct Filtered<'a, const WATCHED: bool> {
     value: f64,
-    doubt: &'a Cell<bool>,
+    escalate: &'a Cell<bool>,
 }
 
-impl<'a, const WATCHED: bool> Plain<'a, WATCHED> {
-    /// A number, and where to raise doubt.
+impl<'a, const WATCHED: bool> Filtered<'a, WATCHED> {
+    /// A number, and where to escalate.
     #[inline(always)]
-    pub fn new(value: f64, doubt: &'a Cell<bool>) -> Self {
-        Plain { value, doubt }
+    pub fn new(value: f64, escalate: &'a Cell<bool>) -> Self {
+        Filtered { value, escalate }
     }
 
     /// The number.
@@ -42,8 +42,8 @@ impl<'a, const WATCHED: bool> Plain<'a, WATCHED> {
     /// A number that is as it should be, if `fine`.
     #[inline(always)]
     fn if_fine(&self, value: f64, fine: bool) -> Self {
-        self.doubt.set(self.doubt.get() | !fine);
-        Plain { value, doubt: self.doubt }
+        self.escalate.set(self.escalate.get() | !fine);
+        Filtered { value, escalate: self.escalate }
     }
 
     /// A number that is as it should be, if `fine` or nothing is watched.
@@ -55,18 +55,18 @@ impl<'a, const WATCHED: bool> Plain<'a, WATCHED> {
     /// A number that is as it should be.
     #[inline(always)]
     fn with(&self, value: f64) -> Self {
-        Plain { value, doubt: self.doubt }
+        Filtered { value, escalate: self.escalate }
     }
 }
 
-impl<const WATCHED: bool> PartialEq for Plain<'_, WATCHED> {
+impl<const WATCHED: bool> PartialEq for Filtered<'_, WATCHED> {
     #[inline(always)]
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }
 }
 
-impl<const WATCHED: bool> PartialOrd for Plain<'_, WATCHED> {
+impl<const WATCHED: bool> PartialOrd for Filtered<'_, WATCHED> {
     #[inline(always)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         self.value.partial_cmp(&other.value)
@@ -93,33 +93,33 @@ impl<const WATCHED: bool> PartialOrd for Plain<'_, WATCHED> {
     }
 }
 
-/// A compensated expression, and where to raise doubt.
+/// A compensated expression, and where to escalate.
 #[derive(Clone, Copy)]
-pub struct PlainExtended<'a, const WATCHED: bool> {
-    extended: Measured,
-    doubt: &'a Cell<bool>,
+pub struct FilteredExtended<'a, const WATCHED: bool> {
+    extended: BoundedDoubleDouble,
+    escalate: &'a Cell<bool>,
 }
 
-impl<'a, const WATCHED: bool> PlainExtended<'a, WATCHED> {
+impl<'a, const WATCHED: bool> FilteredExtended<'a, WATCHED> {
     #[inline(always)]
-    fn with(&self, extended: Measured) -> Self {
-        PlainExtended { extended, doubt: self.doubt }
+    fn with(&self, extended: BoundedDoubleDouble) -> Self {
+        FilteredExtended { extended, escalate: self.escalate }
     }
 
     /// A product of numbers with these leading parts.
     #[inline(always)]
-    fn product(extended: Measured, a: f64, b: f64, doubt: &'a Cell<bool>) -> Self {
-        PlainExtended { extended: if WATCHED { extended.watched(a, b) } else { extended }, doubt }
+    fn product(extended: BoundedDoubleDouble, a: f64, b: f64, escalate: &'a Cell<bool>) -> Self {
+        FilteredExtended { extended: if WATCHED { extended.watched(a, b) } else { extended }, escalate }
     }
 
     #[inline(always)]
-    fn round(&self) -> Plain<'a, WATCHED> {
-        Plain { value: self.extended.round(), doubt: self.doubt }
+    fn round(&self) -> Filtered<'a, WATCHED> {
+        Filtered { value: self.extended.round(), escalate: self.escalate }
     }
 }
 
-impl<'a, const WATCHED: bool> Real for Plain<'a, WATCHED> {
-    type Extended = PlainExtended<'a, WATCHED>;
+impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
+    type Extended = FilteredExtended<'a, WATCHED>;
 
     #[inline(always)]
     fn literal(&self, value: f64) -> Self {
@@ -183,68 +183,73 @@ impl<'a, const WATCHED: bool> Real for Plain<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn two_sum(&self, other: &Self) -> PlainExtended<'a, WATCHED> {
-        PlainExtended { extended: Measured::two_sum(self.value, other.value), doubt: self.doubt }
+    fn two_sum(&self, other: &Self) -> FilteredExtended<'a, WATCHED> {
+        FilteredExtended { extended: BoundedDoubleDouble::two_sum(self.value, other.value), escalate: self.escalate }
     }
 
     #[inline(always)]
-    fn two_product(&self, other: &Self) -> PlainExtended<'a, WATCHED> {
-        let product = Measured::two_product(self.value, other.value);
-        PlainExtended::product(product, self.value, other.value, self.doubt)
+    fn two_product(&self, other: &Self) -> FilteredExtended<'a, WATCHED> {
+        let product = BoundedDoubleDouble::two_product(self.value, other.value);
+        FilteredExtended::product(product, self.value, other.value, self.escalate)
     }
 
     #[inline(always)]
-    fn extended_neg(extended: &PlainExtended<'a, WATCHED>) -> PlainExtended<'a, WATCHED> {
+    fn extended_neg(extended: &FilteredExtended<'a, WATCHED>) -> FilteredExtended<'a, WATCHED> {
         extended.with(-extended.extended)
     }
 
     #[inline(always)]
-    fn extended_add_exact(extended: &PlainExtended<'a, WATCHED>, exact: &Self) -> PlainExtended<'a, WATCHED> {
+    fn extended_add_exact(extended: &FilteredExtended<'a, WATCHED>, exact: &Self) -> FilteredExtended<'a, WATCHED> {
         extended.with(extended.extended + exact.value)
     }
 
     #[inline(always)]
     fn extended_add(
-        left: &PlainExtended<'a, WATCHED>,
-        right: &PlainExtended<'a, WATCHED>,
-    ) -> PlainExtended<'a, WATCHED> {
+        left: &FilteredExtended<'a, WATCHED>,
+        right: &FilteredExtended<'a, WATCHED>,
+    ) -> FilteredExtended<'a, WATCHED> {
         left.with(left.extended + right.extended)
     }
 
     #[inline(always)]
-    fn extended_mul_exact(extended: &PlainExtended<'a, WATCHED>, exact: &Self) -> PlainExtended<'a, WATCHED> {
-        PlainExtended::product(extended.extended * exact.value, extended.extended.round(), exact.value, extended.doubt)
-    }
-
-    #[inline(always)]
-    fn extended_mul(
-        left: &PlainExtended<'a, WATCHED>,
-        right: &PlainExtended<'a, WATCHED>,
-    ) -> PlainExtended<'a, WATCHED> {
-        PlainExtended::product(
-            left.extended * right.extended,
-            left.extended.round(),
-            right.extended.round(),
-            left.doubt,
+    fn extended_mul_exact(extended: &FilteredExtended<'a, WATCHED>, exact: &Self) -> FilteredExtended<'a, WATCHED> {
+        FilteredExtended::product(
+            extended.extended * exact.value,
+            extended.extended.round(),
+            exact.value,
+            extended.escalate,
         )
     }
 
     #[inline(always)]
-    fn compensated(extended: &PlainExtended<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
-        let (rounded, settled) = (extended.round(), extended.extended.settled(threshold));
+    fn extended_mul(
+        left: &FilteredExtended<'a, WATCHED>,
+        right: &FilteredExtended<'a, WATCHED>,
+    ) -> FilteredExtended<'a, WATCHED> {
+        FilteredExtended::product(
+            left.extended * right.extended,
+            left.extended.round(),
+            right.extended.round(),
+            left.escalate,
+        )
+    }
+
+    #[inline(always)]
+    fn compensated(extended: &FilteredExtended<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
+        let (rounded, passes) = (extended.round(), extended.extended.passes(threshold));
         if !WATCHED {
-            return rounded.if_fine(rounded.value, settled);
+            return rounded.if_fine(rounded.value, passes);
         }
-        if settled {
+        if passes {
             return rounded.if_fine(rounded.value, rounded.value.is_normal());
         }
-        let sum = polynomial(operands, |operand| Operand::of(operand.value), terms).unwrap_or(Soft::NAN);
+        let sum = polynomial(operands, |operand| Operand::of(operand.value), terms).unwrap_or(SoftFloat::NAN);
         let value = sum.to_f64();
         rounded.if_fine(value, value.is_normal() || sum.is_zero())
     }
 
     #[inline(always)]
-    fn residual(extended: &PlainExtended<'a, WATCHED>) -> Self {
+    fn residual(extended: &FilteredExtended<'a, WATCHED>) -> Self {
         let rounded = extended.round();
         rounded.watched(rounded.value, extended.extended.whole())
     }

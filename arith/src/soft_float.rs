@@ -1,4 +1,4 @@
-//! `Soft`: floating point in integers, with 128 bits and an exponent that never runs out.
+//! `SoftFloat`: floating point in integers, with 128 bits and an exponent that never runs out.
 //!
 //! What `faithful` falls back on where double-double would over- or underflow. Every operation is right to 2^-120, a sum
 //! of that relative to its terms; exponents fit in 64 bits, which no program of fewer than some 2^50 steps leaves.
@@ -11,7 +11,7 @@ use crate::float;
 
 /// A number `bits * 2^exponent`, the leading bit of `bits` set, or the negative of it; or zero, or not a number.
 #[derive(Clone, Copy, Debug)]
-pub struct Soft {
+pub struct SoftFloat {
     kind: Kind,
     negative: bool,
     bits: u128,
@@ -27,9 +27,9 @@ enum Kind {
     Normal,
 }
 
-impl Soft {
-    pub(crate) const ZERO: Self = Soft { kind: Kind::Zero, negative: false, bits: 0, exponent: 0, cut: false };
-    pub(crate) const NAN: Self = Soft { kind: Kind::Nan, ..Self::ZERO };
+impl SoftFloat {
+    pub(crate) const ZERO: Self = SoftFloat { kind: Kind::Zero, negative: false, bits: 0, exponent: 0, cut: false };
+    pub(crate) const NAN: Self = SoftFloat { kind: Kind::Nan, ..Self::ZERO };
 
     /// From any bits: shifted so that the leading one is set.
     pub(crate) fn new(negative: bool, bits: u128, exponent: i64, cut: bool) -> Self {
@@ -37,7 +37,7 @@ impl Soft {
             return Self::ZERO;
         }
         let space = bits.leading_zeros();
-        Soft { kind: Kind::Normal, negative, bits: bits << space, exponent: exponent - i64::from(space), cut }
+        SoftFloat { kind: Kind::Normal, negative, bits: bits << space, exponent: exponent - i64::from(space), cut }
     }
 
     /// From 256 bits, of which 128 are kept.
@@ -47,7 +47,13 @@ impl Soft {
         }
         let space = high.leading_zeros();
         let bits = high << space | if space == 0 { 0 } else { low >> (128 - space) };
-        Soft { kind: Kind::Normal, negative, bits, exponent: exponent + 128 - i64::from(space), cut: low << space != 0 }
+        SoftFloat {
+            kind: Kind::Normal,
+            negative,
+            bits,
+            exponent: exponent + 128 - i64::from(space),
+            cut: low << space != 0,
+        }
     }
 
     /// Exact; NaN unless finite.
@@ -103,7 +109,7 @@ impl Soft {
 
     /// The same bits, of a number that has more.
     pub(crate) fn with_more(self) -> Self {
-        Soft { cut: true, ..self }
+        SoftFloat { cut: true, ..self }
     }
 
     /// The nearest `f64`, and the nearest to what it leaves off.
@@ -157,7 +163,7 @@ impl Soft {
             let residual = a.plus(quotient.times(b).negated());
             quotient = quotient.plus(Self::from_f64(residual.to_f64() / divisor));
         }
-        Soft { exponent: quotient.exponent + self.leading() - other.leading(), ..quotient }
+        SoftFloat { exponent: quotient.exponent + self.leading() - other.leading(), ..quotient }
     }
 
     /// The real root of this degree; `start` gives that of an `f64`. Twice corrected from the root of the leading part, each
@@ -170,7 +176,7 @@ impl Soft {
             _ => return Self::NAN,
         }
         let part = self.leading().div_euclid(degree.into());
-        let radicand = Soft { exponent: self.exponent - i64::from(degree) * part, ..self };
+        let radicand = SoftFloat { exponent: self.exponent - i64::from(degree) * part, ..self };
         let first = start(radicand.to_f64());
         let slope = (1..degree).fold(degree.into(), |slope: f64, _| slope * first);
         let mut root = Self::from_f64(first);
@@ -179,20 +185,20 @@ impl Soft {
             let residual = radicand.plus(power.negated());
             root = root.plus(Self::from_f64(residual.to_f64() / slope));
         }
-        Soft { exponent: root.exponent + part, ..root }
+        SoftFloat { exponent: root.exponent + part, ..root }
     }
 
     pub(crate) fn magnitude(self) -> Self {
-        Soft { negative: false, ..self }
+        SoftFloat { negative: false, ..self }
     }
 
     /// The same bits, as a number from 1 to 2.
     fn scaled(self) -> Self {
-        Soft { exponent: -127, ..self }
+        SoftFloat { exponent: -127, ..self }
     }
 
     pub(crate) fn negated(self) -> Self {
-        Soft { negative: !self.negative, ..self }
+        SoftFloat { negative: !self.negative, ..self }
     }
 
     fn order_of_magnitudes(self, other: Self) -> Ordering {
@@ -228,13 +234,13 @@ fn full_product(a: u128, b: u128) -> (u128, u128) {
     (high, low)
 }
 
-impl PartialEq for Soft {
+impl PartialEq for SoftFloat {
     fn eq(&self, other: &Self) -> bool {
         self.partial_cmp(other) == Some(Ordering::Equal)
     }
 }
 
-impl PartialOrd for Soft {
+impl PartialOrd for SoftFloat {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         if self.kind == Kind::Nan || other.kind == Kind::Nan {
             return None;

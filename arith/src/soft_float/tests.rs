@@ -1,4 +1,4 @@
-//! `Soft` against the processor, where that does not over- or underflow, and against itself where it does.
+//! `SoftFloat` against the processor, where that does not over- or underflow, and against itself where it does.
 
 use super::*;
 use crate::function::Function;
@@ -30,7 +30,7 @@ fn pairs() -> impl Iterator<Item = (f64, f64)> {
 }
 
 #[track_caller]
-fn same(soft: Soft, hardware: f64, what: &str) {
+fn same(soft: SoftFloat, hardware: f64, what: &str) {
     // Neither infinity nor the sign of zero is known here.
     let found = soft.to_f64();
     assert!(found == hardware || found.is_nan() && !hardware.is_finite(), "{what}: {found:e}, not {hardware:e}");
@@ -39,7 +39,7 @@ fn same(soft: Soft, hardware: f64, what: &str) {
 #[test]
 fn one_operation_rounds_as_the_processor_does() {
     for (a, b) in pairs() {
-        let (x, y) = (Soft::from_f64(a), Soft::from_f64(b));
+        let (x, y) = (SoftFloat::from_f64(a), SoftFloat::from_f64(b));
         same(x, a, "itself");
         same(x.add(&y), a + b, &std::format!("{a:e} + {b:e}"));
         same(x.sub(&y), a - b, &std::format!("{a:e} - {b:e}"));
@@ -53,18 +53,18 @@ fn one_operation_rounds_as_the_processor_does() {
 #[test]
 fn operations_undo_each_other_to_all_but_some_bits() {
     for (a, b) in pairs().filter(|(a, b)| *a != 0.0 && *b != 0.0) {
-        let (x, y) = (Soft::from_f64(a), Soft::from_f64(b).magnitude());
+        let (x, y) = (SoftFloat::from_f64(a), SoftFloat::from_f64(b).magnitude());
         let root = y.call(Function::Sqrt);
         for (back, origin) in [(x.div(&y).mul(&y), x), (root.mul(&root), y)] {
             let error = back.sub(&origin).div(&origin).magnitude();
-            assert!(error <= Soft::new(false, 1, -121, false), "{a:e}, {b:e}: {:e}", error.to_f64());
+            assert!(error <= SoftFloat::new(false, 1, -121, false), "{a:e}, {b:e}: {:e}", error.to_f64());
         }
     }
 }
 
 #[test]
 fn exponents_do_not_run_out() {
-    let huge = Soft::from_f64(f64::MAX);
+    let huge = SoftFloat::from_f64(f64::MAX);
     let tower = (0..40).fold(huge, |power, _| power.mul(&power));
     assert_eq!(tower.to_f64(), f64::INFINITY);
     assert_eq!(huge.div(&tower).to_f64(), 0.0);
@@ -74,21 +74,21 @@ fn exponents_do_not_run_out() {
 
 #[test]
 fn sums_of_numbers_beyond_f64_are_exact() {
-    let number = |significand: u64, exponent| Soft::new(false, significand.into(), exponent, false);
+    let number = |significand: u64, exponent| SoftFloat::new(false, significand.into(), exponent, false);
     let one = |exponent| number(1, exponent);
     // `x*y - z*w`
     let terms = Terms::of(&[2, 0, 1, 0x82, 2, 3]);
-    let difference = |x, y, z, w| Soft::compensated(&Soft::NAN, 0.0, &[&x, &y, &z, &w], terms);
+    let difference = |x, y, z, w| SoftFloat::compensated(&SoftFloat::NAN, 0.0, &[&x, &y, &z, &w], terms);
     let next = (1 << 52) + 1;
     for exponent in [-9_000, -2_000, 0, 2_000, 9_000] {
         let cancelling = difference(number(next, exponent), number(next, -52), number(next + 1, exponent), one(0));
         assert_eq!(cancelling, one(exponent - 52), "2^{exponent}");
         let product = number(next, exponent);
-        assert_eq!(difference(product, one(100), product, one(100)), Soft::ZERO, "2^{exponent}");
+        assert_eq!(difference(product, one(100), product, one(100)), SoftFloat::ZERO, "2^{exponent}");
     }
     // farther apart than any products of f64: what the large terms leave, and nothing else where they leave something
     let terms = Terms::of(&[1, 0, 0x81, 1, 1, 2]);
-    let sum = |x, y, z| Soft::compensated(&Soft::NAN, 0.0, &[&x, &y, &z], terms);
+    let sum = |x, y, z| SoftFloat::compensated(&SoftFloat::NAN, 0.0, &[&x, &y, &z], terms);
     assert_eq!(sum(one(90_000), one(90_000), one(-90_000)), one(-90_000));
     assert_eq!(sum(one(90_001), one(90_000), one(-90_000)), one(90_000));
     assert_eq!(sum(one(90_000), one(90_001), one(-90_000)), one(90_000).negated());
@@ -96,7 +96,7 @@ fn sums_of_numbers_beyond_f64_are_exact() {
 
 #[test]
 fn splits_add_up() {
-    let third = Soft::from_f64(1.0).div(&Soft::from_f64(3.0));
+    let third = SoftFloat::from_f64(1.0).div(&SoftFloat::from_f64(3.0));
     let (high, low) = third.split();
     assert_eq!((high, low), (1.0 / 3.0, 1.0 / 3.0 * 0.5_f64.powi(54)));
 }

@@ -1,6 +1,6 @@
-//! Programs in integers with an endless exponent: `Real` for `Soft`.
+//! Programs in integers with an endless exponent: `Real` for `SoftFloat`.
 
-use super::{Kind, Soft};
+use super::{Kind, SoftFloat};
 use crate::function::Function;
 use crate::operand::Operand;
 use crate::polynomial::polynomial;
@@ -8,7 +8,7 @@ use crate::real::Real;
 use crate::root;
 use crate::terms::Terms;
 
-impl Soft {
+impl SoftFloat {
     /// Rounded to 53 bits; `None` unless it is a number.
     fn operand(self) -> Option<Operand> {
         let operand = Operand::of(self.scaled().to_f64())?;
@@ -16,20 +16,20 @@ impl Soft {
     }
 }
 
-impl Real for Soft {
-    type Extended = Soft;
+impl Real for SoftFloat {
+    type Extended = SoftFloat;
 
     fn literal(&self, value: f64) -> Self {
-        Soft::from_f64(value)
+        SoftFloat::from_f64(value)
     }
 
     fn pi(&self) -> Self {
         // the first 128 bits
-        Soft::new(false, 0xc90f_daa2_2168_c234_c4c6_628b_80dc_1cd1, -126, true)
+        SoftFloat::new(false, 0xc90f_daa2_2168_c234_c4c6_628b_80dc_1cd1, -126, true)
     }
 
     fn nan(&self) -> Self {
-        Soft::NAN
+        SoftFloat::NAN
     }
 
     fn add(&self, other: &Self) -> Self {
@@ -63,17 +63,17 @@ impl Real for Soft {
     /// To the digits of `f64`: the iterate, which a `residual!` corrects.
     fn positive_root(&self, coefficients: &[Self]) -> Self {
         if coefficients.iter().any(|c| c.kind == Kind::Nan) {
-            return Soft::NAN;
+            return SoftFloat::NAN;
         }
         let term =
             |c: &Self| (c.kind == Kind::Normal).then(|| root::Term { negative: c.negative, exponent: c.leading() });
-        let moved = |c: &Self, by: i64| Soft { exponent: c.exponent.saturating_add(by), ..*c }.to_f64();
+        let moved = |c: &Self, by: i64| SoftFloat { exponent: c.exponent.saturating_add(by), ..*c }.to_f64();
         match root::scaled_root(coefficients, term, moved) {
             Some((root, bound)) => {
-                let root = Soft::from_f64(root);
-                Soft { exponent: root.exponent + bound, ..root }
+                let root = SoftFloat::from_f64(root);
+                SoftFloat { exponent: root.exponent + bound, ..root }
             }
-            None => Soft::NAN,
+            None => SoftFloat::NAN,
         }
     }
 

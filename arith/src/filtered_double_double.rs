@@ -1,4 +1,4 @@
-//! `Guarded`: double-double as a program's arithmetic, which says when it leaves its range; what `faithful` runs in.
+//! `FilteredDoubleDouble`: double-double as a program's arithmetic, which says when it leaves its range; what `faithful` runs in.
 //!
 //! A step in range, and a compensated expression, are off by as little as the [error model](crate::error_model) says.
 //! What a program computes without cancellation outside its compensated expressions is therefore right to far better than
@@ -7,37 +7,37 @@
 use core::cell::Cell;
 use core::cmp::Ordering;
 
+use crate::bounded_double_double::BoundedDoubleDouble;
 use crate::double_double::DoubleDouble;
 use crate::error_free::LARGEST_FACTOR;
 use crate::function::Function;
-use crate::measured::Measured;
 use crate::operand::Operand;
 use crate::polynomial::polynomial;
 use crate::range;
 use crate::real::Real;
 use crate::root;
-use crate::soft::Soft;
+use crate::soft_float::SoftFloat;
 use crate::terms::Terms;
 
-/// A number in double-double; `left` is raised when a step leaves the range.
+/// A number in double-double; `escalate` is raised when a step leaves the range.
 ///
 /// Not `WATCHED`, it is for inputs of the kernel's ordinary magnitudes, at which the products inside compensated
 /// expressions are error-free. `WATCHED`, it is for all finite inputs: a compensated expression in which one may not be
 /// is summed exactly.
 #[derive(Clone, Copy)]
-pub struct Guarded<'a, const WATCHED: bool> {
+pub struct FilteredDoubleDouble<'a, const WATCHED: bool> {
     value: DoubleDouble,
-    left: &'a Cell<bool>,
+    escalate: &'a Cell<bool>,
 }
 
 /// Between these magnitudes a step of numbers in range loses no digits.
 const RANGE: (f64, f64) = (range::power_of_two(range::STEP.0), range::power_of_two(range::STEP.1));
 
-impl<'a, const WATCHED: bool> Guarded<'a, WATCHED> {
+impl<'a, const WATCHED: bool> FilteredDoubleDouble<'a, WATCHED> {
     /// Exact.
     #[inline(always)]
-    pub fn new(value: f64, left: &'a Cell<bool>) -> Self {
-        Guarded { value: value.into(), left }.in_range(true)
+    pub fn new(value: f64, escalate: &'a Cell<bool>) -> Self {
+        FilteredDoubleDouble { value: value.into(), escalate }.in_range(true)
     }
 
     /// The number.
@@ -52,18 +52,18 @@ impl<'a, const WATCHED: bool> Guarded<'a, WATCHED> {
         self.value.round()
     }
 
-    /// Raises `left` unless the value is in range, or a zero that may be one.
+    /// Raises `escalate` unless the value is in range, or a zero that may be one.
     #[inline(always)]
     fn in_range(self, may_vanish: bool) -> Self {
         let size = self.value.round().abs();
         let inside = ((size >= RANGE.0) & (size <= RANGE.1)) | (may_vanish & (size == 0.0));
-        self.left.set(self.left.get() | !inside);
+        self.escalate.set(self.escalate.get() | !inside);
         self
     }
 
     #[inline(always)]
     fn with(&self, value: DoubleDouble) -> Self {
-        Guarded { value, left: self.left }
+        FilteredDoubleDouble { value, escalate: self.escalate }
     }
 
     #[inline(always)]
@@ -72,14 +72,14 @@ impl<'a, const WATCHED: bool> Guarded<'a, WATCHED> {
     }
 }
 
-impl<const WATCHED: bool> PartialEq for Guarded<'_, WATCHED> {
+impl<const WATCHED: bool> PartialEq for FilteredDoubleDouble<'_, WATCHED> {
     #[inline(always)]
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }
 }
 
-impl<const WATCHED: bool> PartialOrd for Guarded<'_, WATCHED> {
+impl<const WATCHED: bool> PartialOrd for FilteredDoubleDouble<'_, WATCHED> {
     #[inline(always)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         let order = self.value.round().partial_cmp(&other.value.round())?;
@@ -89,36 +89,36 @@ impl<const WATCHED: bool> PartialOrd for Guarded<'_, WATCHED> {
 
 /// A compensated expression, and where to raise what it leaves.
 #[derive(Clone, Copy)]
-pub struct GuardedExtended<'a, const WATCHED: bool> {
-    extended: Measured,
-    left: &'a Cell<bool>,
+pub struct FilteredDoubleDoubleExtended<'a, const WATCHED: bool> {
+    extended: BoundedDoubleDouble,
+    escalate: &'a Cell<bool>,
 }
 
-impl<'a, const WATCHED: bool> GuardedExtended<'a, WATCHED> {
+impl<'a, const WATCHED: bool> FilteredDoubleDoubleExtended<'a, WATCHED> {
     #[inline(always)]
-    fn with(&self, extended: Measured) -> Self {
-        GuardedExtended { extended, left: self.left }
+    fn with(&self, extended: BoundedDoubleDouble) -> Self {
+        FilteredDoubleDoubleExtended { extended, escalate: self.escalate }
     }
 
     /// A product of numbers with these leading parts.
     #[inline(always)]
-    fn product(extended: Measured, a: f64, b: f64, left: &'a Cell<bool>) -> Self {
-        GuardedExtended { extended: if WATCHED { extended.watched(a, b) } else { extended }, left }
+    fn product(extended: BoundedDoubleDouble, a: f64, b: f64, escalate: &'a Cell<bool>) -> Self {
+        FilteredDoubleDoubleExtended { extended: if WATCHED { extended.watched(a, b) } else { extended }, escalate }
     }
 
     #[inline(always)]
-    fn value(&self) -> Guarded<'a, WATCHED> {
-        Guarded { value: self.extended.value(), left: self.left }
+    fn value(&self) -> FilteredDoubleDouble<'a, WATCHED> {
+        FilteredDoubleDouble { value: self.extended.value(), escalate: self.escalate }
     }
 }
 
-impl<'a, const WATCHED: bool> Real for Guarded<'a, WATCHED> {
-    type Extended = GuardedExtended<'a, WATCHED>;
+impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
+    type Extended = FilteredDoubleDoubleExtended<'a, WATCHED>;
 
     /// One that cannot be split as a factor leaves the range; a smaller one only makes its product leave it.
     #[inline(always)]
     fn literal(&self, value: f64) -> Self {
-        self.left.set(self.left.get() | (value.abs() > LARGEST_FACTOR));
+        self.escalate.set(self.escalate.get() | (value.abs() > LARGEST_FACTOR));
         self.with(value.into())
     }
 
@@ -177,69 +177,88 @@ impl<'a, const WATCHED: bool> Real for Guarded<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn two_sum(&self, other: &Self) -> GuardedExtended<'a, WATCHED> {
-        GuardedExtended { extended: Measured::two_sum(self.value.round(), other.value.round()), left: self.left }
+    fn two_sum(&self, other: &Self) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
+        FilteredDoubleDoubleExtended {
+            extended: BoundedDoubleDouble::two_sum(self.value.round(), other.value.round()),
+            escalate: self.escalate,
+        }
     }
 
     #[inline(always)]
-    fn two_product(&self, other: &Self) -> GuardedExtended<'a, WATCHED> {
+    fn two_product(&self, other: &Self) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
         let (a, b) = (self.value.round(), other.value.round());
-        GuardedExtended::product(Measured::two_product(a, b), a, b, self.left)
+        FilteredDoubleDoubleExtended::product(BoundedDoubleDouble::two_product(a, b), a, b, self.escalate)
     }
 
     #[inline(always)]
-    fn extended_neg(extended: &GuardedExtended<'a, WATCHED>) -> GuardedExtended<'a, WATCHED> {
+    fn extended_neg(extended: &FilteredDoubleDoubleExtended<'a, WATCHED>) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
         extended.with(-extended.extended)
     }
 
     #[inline(always)]
-    fn extended_add_exact(extended: &GuardedExtended<'a, WATCHED>, exact: &Self) -> GuardedExtended<'a, WATCHED> {
+    fn extended_add_exact(
+        extended: &FilteredDoubleDoubleExtended<'a, WATCHED>,
+        exact: &Self,
+    ) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
         extended.with(extended.extended + exact.value.round())
     }
 
     #[inline(always)]
     fn extended_add(
-        left: &GuardedExtended<'a, WATCHED>,
-        right: &GuardedExtended<'a, WATCHED>,
-    ) -> GuardedExtended<'a, WATCHED> {
+        left: &FilteredDoubleDoubleExtended<'a, WATCHED>,
+        right: &FilteredDoubleDoubleExtended<'a, WATCHED>,
+    ) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
         left.with(left.extended + right.extended)
     }
 
     #[inline(always)]
-    fn extended_mul_exact(extended: &GuardedExtended<'a, WATCHED>, exact: &Self) -> GuardedExtended<'a, WATCHED> {
+    fn extended_mul_exact(
+        extended: &FilteredDoubleDoubleExtended<'a, WATCHED>,
+        exact: &Self,
+    ) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
         let exact = exact.value.round();
-        GuardedExtended::product(extended.extended * exact, extended.extended.round(), exact, extended.left)
-    }
-
-    #[inline(always)]
-    fn extended_mul(
-        left: &GuardedExtended<'a, WATCHED>,
-        right: &GuardedExtended<'a, WATCHED>,
-    ) -> GuardedExtended<'a, WATCHED> {
-        GuardedExtended::product(
-            left.extended * right.extended,
-            left.extended.round(),
-            right.extended.round(),
-            left.left,
+        FilteredDoubleDoubleExtended::product(
+            extended.extended * exact,
+            extended.extended.round(),
+            exact,
+            extended.escalate,
         )
     }
 
     #[inline(always)]
-    fn compensated(extended: &GuardedExtended<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
-        if extended.extended.settled(threshold) {
+    fn extended_mul(
+        left: &FilteredDoubleDoubleExtended<'a, WATCHED>,
+        right: &FilteredDoubleDoubleExtended<'a, WATCHED>,
+    ) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
+        FilteredDoubleDoubleExtended::product(
+            left.extended * right.extended,
+            left.extended.round(),
+            right.extended.round(),
+            left.escalate,
+        )
+    }
+
+    #[inline(always)]
+    fn compensated(
+        extended: &FilteredDoubleDoubleExtended<'a, WATCHED>,
+        threshold: f64,
+        operands: &[&Self],
+        terms: Terms,
+    ) -> Self {
+        if extended.extended.passes(threshold) {
             return extended.value().in_range(false);
         }
         let read = |operand: &Self| Operand::of(operand.value.round());
-        let sum = polynomial(operands, read, terms).unwrap_or(Soft::NAN);
+        let sum = polynomial(operands, read, terms).unwrap_or(SoftFloat::NAN);
         let (high, low) = sum.split();
-        let value = Guarded { value: DoubleDouble::two_sum(high, low), left: extended.left };
+        let value = FilteredDoubleDouble { value: DoubleDouble::two_sum(high, low), escalate: extended.escalate };
         value.in_range(sum.is_zero())
     }
 
     /// A residual of zero is as good as any below the last digit of the iterate.
     #[inline(always)]
-    fn residual(extended: &GuardedExtended<'a, WATCHED>) -> Self {
-        extended.left.set(extended.left.get() | !extended.extended.whole());
+    fn residual(extended: &FilteredDoubleDoubleExtended<'a, WATCHED>) -> Self {
+        extended.escalate.set(extended.escalate.get() | !extended.extended.whole());
         extended.value().in_range(true)
     }
 }
