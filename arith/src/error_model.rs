@@ -63,7 +63,7 @@ pub const DOUBLE_DOUBLE_STEP: Units = Units::new(1, 1_000_000);
 pub const RESIDUAL_OPERATION: Units = Units::new(10, 1);
 
 /// The iterate of [`positive_root`](crate::positive_root()), compared with the root of its coefficients as they are: it is the
-/// rounded root but for a last escalate.
+/// rounded root but for a last doubt.
 pub const POSITIVE_ROOT: Units = Units::new(101, 100);
 
 /// What a Newton step from such an iterate leaves before it is rounded: a correction of at most some hundred units that is

@@ -27,7 +27,7 @@ pub struct Filtered<'a, const WATCHED: bool> {
 }
 
 impl<'a, const WATCHED: bool> Filtered<'a, WATCHED> {
-    /// A number, and where to escalate.
+    /// A number, and the flag that it raises to escalate.
     #[inline(always)]
     pub fn new(value: f64, escalate: &'a Cell<bool>) -> Self {
         Filtered { value, escalate }
@@ -93,7 +93,7 @@ impl<const WATCHED: bool> PartialOrd for Filtered<'_, WATCHED> {
     }
 }
 
-/// A compensated expression, and where to escalate.
+/// A compensated expression, and the flag that it raises to escalate.
 #[derive(Clone, Copy)]
 pub struct FilteredExtended<'a, const WATCHED: bool> {
     extended: BoundedDoubleDouble,

@@ -13,7 +13,7 @@
 //! the fraction t/(1+t), t = (n-1)(x-r)/x, of x - r: at most 1 - 1/n of it at first, and its square in the end.
 //!
 //! The root is well conditioned: r p'(r) is at least the sum of the positive terms at r. So the fall stops within a few
-//! ulp, and one last step with p evaluated in double-double makes it the rounded root but for a last escalate.
+//! ulp, and one last step with p evaluated in double-double makes it the rounded root but for a last doubt.
 
 use core::cmp::Ordering;
 

@@ -40,7 +40,7 @@ fn relative(count: u32) -> f64 {
 }
 
 impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
-    /// An input of one of these signs, and where to escalate.
+    /// An input of one of these signs, and the flag that it raises to escalate.
     #[inline(always)]
     pub fn new(value: f64, signs: Signs, escalate: &'a Cell<bool>) -> Self {
         Bounded { value, count: 0, error: 0.0, slack: 0, clean: true, signs, escalate }
@@ -58,7 +58,7 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
         self.value
     }
 
-    /// The number, and escalate unless its relative error is at most `promise`.
+    /// The number; raises `escalate` unless its relative error is at most `promise`.
     #[inline(always)]
     pub fn keeping(self, promise: f64) -> f64 {
         let left = promise * KEPT - relative(self.count);
@@ -84,7 +84,7 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
         (self.slack <= MOST) & (self.error * ROOM <= share * self.value.abs())
     }
 
-    /// The same number with all its error in `count`; escalate where it is too large.
+    /// The same number with all its error in `count`; raises `escalate` where it is too large.
     #[inline(always)]
     fn collapsed(&self) -> Self {
         if self.clean {
@@ -109,14 +109,14 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
         self.escalate.set(self.escalate.get() | escalate);
     }
 
-    /// Raises escalate unless what is watched is `fine`.
+    /// Raises `escalate` unless what is watched is `fine`.
     #[inline(always)]
     fn watched(self, fine: bool) -> Self {
         self.raise(WATCHED & !fine);
         self
     }
 
-    /// Raises escalate unless the two numbers compare as what they stand for does.
+    /// Raises `escalate` unless the two numbers compare as what they stand for does.
     #[inline(always)]
     fn compare(&self, other: &Self) {
         let signed = |number: &Self| number.clean & (number.count <= MOST);

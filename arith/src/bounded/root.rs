@@ -5,7 +5,7 @@ use crate::error_model::bounded::{ROOT, ROOT_SHARE};
 use crate::limits::MAX_DEGREE;
 use crate::root;
 
-/// The root, with a count of [`ROOT`]; escalate where the signs of coefficients, or of the polynomial on both sides, are not certain.
+/// The root, with a count of [`ROOT`]; it escalates where the signs of coefficients, or of the polynomial on both sides, are not certain.
 pub(super) fn positive_root<'a, const WATCHED: bool>(
     context: &Bounded<'a, WATCHED>,
     coefficients: &[Bounded<'a, WATCHED>],
