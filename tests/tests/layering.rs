@@ -1,6 +1,7 @@
 //! The invariants of absence: who names whom, and who must not.
 
 use std::collections::BTreeSet;
+use std::process::Command;
 
 use closedform_tests::cycles::{cycles, roots};
 use closedform_tests::layering::{self, Edge};
@@ -261,6 +262,25 @@ fn absent(folders: &[&str], what: &[&str]) {
             assert_eq!(named, None, "{} names it", file.path);
         }
     }
+}
+
+/// What cargo builds of dependencies, with their features, for some packages together.
+fn built_for(packages: &[&str]) -> BTreeSet<String> {
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["tree", "--offline", "--edges", "normal,build", "--prefix", "none", "--format", "{p} {f}"]);
+    packages.iter().for_each(|package| _ = cargo.args(["--package", package]));
+    let said = workspace::output(&mut cargo);
+    said.lines().map(|line| line.trim_end_matches(" (*)").to_owned()).collect()
+}
+
+#[test]
+fn symbolica_is_built_once() {
+    // `make run` builds both programs together, `generate` and `make test` the generator alone: with other features of one
+    // dependency cargo would build Symbolica, which takes minutes, once more
+    let alone = built_for(&["closedform-symbolica"]);
+    let together = built_for(&["closedform-symbolica", "closedform-cli"]);
+    let only_alone: Vec<&String> = alone.difference(&together).collect();
+    assert!(alone.len() > 50 && only_alone.is_empty(), "built once more for the generator alone: {only_alone:?}");
 }
 
 /// The most files that may name the cube root, which stands for every function that is added to the table.

@@ -4,7 +4,9 @@ use closedform_system::output::note;
 use miette::Diagnostic;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitStatus, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
 use thiserror::Error;
 
 /// A program that this command hands work on to.
@@ -17,6 +19,9 @@ pub struct Program {
     /// What building it takes, if that is worth a word.
     pub takes: &'static str,
 }
+
+/// After this time a build is worth a word: cargo takes less where there is nothing to do.
+const SOON: Duration = Duration::from_secs(2);
 
 /// Plans moves and draws them.
 pub const MOTION: Program = Program { name: "closedform-motion", folder: "motion", takes: "" };
@@ -101,12 +106,19 @@ impl Program {
     /// Who changes the source of a program in a checkout means the new one, though `cargo run` of this command does not build it.
     fn build(&'static self) -> Result<(), ProgramError> {
         let Some((mut cargo, built)) = self.cargo() else { return Ok(()) };
-        if built.is_file() {
+        let is_there = built.is_file();
+        if is_there {
             cargo.arg("--quiet");
         } else {
             note(&format!("building {}{}", self.name, self.takes));
         }
-        match cargo.status() {
+        let built = cargo.spawn().and_then(|mut cargo| {
+            if is_there && !ends_within(&mut cargo, SOON)? {
+                note(&format!("building {} again, since what it is made of has changed", self.name));
+            }
+            cargo.wait()
+        });
+        match built {
             Ok(status) if !status.success() => Err(ProgramError::Build { program: self, status }),
             // without cargo what was built is taken
             _ => Ok(()),
@@ -124,6 +136,18 @@ impl Program {
         cargo.arg("--manifest-path").arg(&manifest).args(["--package", self.name]);
         manifest.is_file().then(|| (cargo, self.within(&folder)))
     }
+}
+
+/// Whether a process ends within this time.
+fn ends_within(process: &mut Child, time: Duration) -> io::Result<bool> {
+    let end = Instant::now() + time;
+    while Instant::now() < end {
+        if process.try_wait()?.is_some() {
+            return Ok(true);
+        }
+        sleep(Duration::from_millis(5));
+    }
+    Ok(false)
 }
 
 /// The checkout that this command was built in.

@@ -3,11 +3,14 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::thread::sleep;
 use std::time::{Duration, SystemTime};
 
 use closedform_system::output;
 use miette::IntoDiagnostic;
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag::register_conditional_shutdown;
 
 /// How often the folder is looked at; a change is taken when it has rested so long.
 const PAUSE: Duration = Duration::from_millis(300);
@@ -22,7 +25,9 @@ type State = BTreeMap<PathBuf, (SystemTime, u64)>;
 /// When Ctrl-C cannot be waited for.
 pub fn run(folder: &Path, act: impl Fn() -> miette::Result<()>) -> miette::Result<()> {
     // every file is written in one step, so that there is nothing to undo
-    ctrlc::set_handler(|| std::process::exit(0)).into_diagnostic()?;
+    for signal in [SIGINT, SIGTERM] {
+        register_conditional_shutdown(signal, 0, Arc::new(true.into())).into_diagnostic()?;
+    }
     loop {
         // what changes while it acts is a change too
         let seen = state(folder);
