@@ -52,7 +52,9 @@ fn units(found: &Float, exact: &Float) -> f64 {
 
 /// Where a function has a value, besides MPFR's word for it the table's.
 fn defined(function: Function) -> impl Iterator<Item = f64> {
-    points().into_iter().filter(move |x| {
+    // MPFR takes some hundred microseconds for what is no power
+    let step = if function.is_power() { 1 } else { 17 };
+    points().into_iter().step_by(step).filter(move |x| {
         let (defined, exact) = (function.properties().domain.holds(*x), exact(function, *x));
         // MPFR has infinities where a function has none
         assert_eq!(defined, exact.is_finite() || function.name() == "exp", "{function:?} at {x:e}");
@@ -69,9 +71,9 @@ fn in_f64_the_error_is_what_the_table_says() {
             let escalate = Cell::new(false);
             let plain = Filtered::<true>::new(x, &escalate).call(function);
             assert_eq!(plain.value().to_bits(), found.to_bits(), "{function:?} at {x:e}");
-            assert!(!escalate.get() || function.properties().exponent.is_none(), "{function:?} at {x:e}");
+            assert!(!escalate.get() || !function.is_power(), "{function:?} at {x:e}");
             if found != 0.0 && !found.is_normal() || found == 0.0 && x != 0.0 {
-                assert!(function.is_exact() || function.properties().exponent.is_none(), "{function:?} at {x:e}");
+                assert!(function.is_exact() || !function.is_power(), "{function:?} at {x:e}");
                 continue;
             }
             worst = worst.max(units(&Float::with_val(53, found), &exact(function, x)));
@@ -172,9 +174,10 @@ fn faithful_and_certified_calls_keep_their_promises_everywhere() {
             let near = faithful(&Call(function)).unwrap().value;
             let balls = certified(&Call(function)).unwrap().value;
             let nearest = exact.to_f64();
-            if !exact.is_finite() || nearest == 0.0 && x != 0.0 {
+            if !nearest.is_normal() && x != 0.0 {
                 // beyond all exponents of balls it stays open
-                assert!(near == nearest && (balls == nearest || balls.is_nan()), "{function:?} at {x:e}");
+                let is_near = |value: f64| [nearest.next_down(), nearest, nearest.next_up()].contains(&value);
+                assert!(is_near(near) && (is_near(balls) || balls.is_nan()), "{function:?} at {x:e}");
                 continue;
             }
             assert!(near == nearest || near == nearest.next_up() || near == nearest.next_down(), "{function:?} {x:e}");

@@ -110,9 +110,9 @@ fn operations_hold<const L: usize>(rounds: u32, seed: u64) {
             assert!(holds(&quotient, &Float::with_val(BITS, &x / &y)), "quotient, {round}");
         }
         for function in Function::ALL {
-            let is_power = function.properties().exponent.is_some();
+            let is_power = function.is_power();
             // MPFR takes a millisecond for each of the others
-            if !is_power && round % 20 != 0 {
+            if !is_power && round % 100 != 0 {
                 continue;
             }
             let value = a.call(function);
@@ -150,15 +150,15 @@ fn kept<const L: usize>(function: Function, x: f64) -> i64 {
 
 #[test]
 fn elementary_functions_lose_few_digits() {
-    for function in Function::ALL.into_iter().filter(|function| function.properties().exponent.is_none()) {
+    for function in Function::ALL.into_iter().filter(|function| !function.is_power()) {
         for x in
             [0.9, 0.5, 0.3, 1e-3, 2.2e-300, 1.0 - 1e-15].into_iter().filter(|x| function.properties().domain.holds(*x))
         {
-            // near 1 the logarithm is small, and so is the angle of the cosine
+            // 50 bits go where a logarithm is that near to 0, up to 32 by squaring
             for (words, kept) in
                 [(4, kept::<4>(function, x)), (16, kept::<16>(function, x)), (64, kept::<64>(function, x))]
             {
-                assert!(kept >= 64 * words - 80, "{function:?} of {x:e}: {kept} bits of {words} words");
+                assert!(kept >= 64 * words - 100, "{function:?} of {x:e}: {kept} bits of {words} words");
             }
         }
     }

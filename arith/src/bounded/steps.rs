@@ -90,7 +90,7 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
     /// A function: a power of the magnitude of its argument.
     #[inline(always)]
     pub(super) fn called(&self, function: Function) -> Self {
-        if function.properties().exponent.is_none() {
+        if !function.is_power() {
             return self.spread(function);
         }
         let argument = if function.is_exact() { *self } else { self.collapsed() };
@@ -102,12 +102,11 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
         Bounded { value, signs, count: count_after(function, argument.count), ..argument }
     }
 
-    /// A function that is no power: its own error is relative, and what it makes of the argument's is absolute. Its zeros are
-    /// exact at the arguments 0 and 1 only; any other zero comes from underflow.
+    /// A function that is no power: its own error is relative, and what it makes of the argument's is absolute.
     fn spread(&self, function: Function) -> Self {
         self.raise(!function.is_defined(self.value));
         let (value, signs) = (function.double(self.value), self.signs.through(function));
-        let zero = (value == 0.0) & ((self.value == 0.0) | (self.value == 1.0));
+        let zero = (value == 0.0) & function.may_vanish(self.value);
         let exact = Bounded { count: own(function), ..self.exactly(value, signs) }.watched(value.is_normal() | zero);
         if self.count == 0 && self.clean {
             return exact;

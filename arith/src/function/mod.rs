@@ -174,6 +174,13 @@ impl Function {
         Self::ALL.into_iter().find(|function| function.degree() == Some(degree))
     }
 
+    /// Whether its magnitude is a power of that of its argument.
+    #[inline(always)]
+    #[must_use]
+    pub const fn is_power(self) -> bool {
+        self.properties().exponent.is_some()
+    }
+
     /// The degree, if it is a root.
     #[must_use]
     pub fn degree(self) -> Option<u32> {
@@ -226,6 +233,12 @@ impl Function {
     #[inline(always)]
     pub(crate) fn is_defined(self, x: f64) -> bool {
         self.properties().domain.holds(x)
+    }
+
+    /// Whether a value of zero is one, not a value that underflows: powers vanish with their arguments, all others at 0 and 1 only.
+    #[inline(always)]
+    pub(crate) fn may_vanish(self, x: f64) -> bool {
+        self.is_power() | (x == 0.0) | (x == 1.0)
     }
 
     /// Whether the value is the argument but for its sign, so that nothing is rounded.

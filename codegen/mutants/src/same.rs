@@ -134,9 +134,7 @@ impl Slots {
                 }
             }
             Expr::Call(function, inner) => match **inner {
-                Expr::Literal { value, .. }
-                    if function.properties().exponent.is_some() && (value == 0.0 || value == 1.0) =>
-                {
+                Expr::Literal { value, .. } if function.is_power() && (value == 0.0 || value == 1.0) => {
                     self.canonical(inner)
                 }
                 _ => self.called(function.name(), inner, function.is_odd(), function.is_even()),

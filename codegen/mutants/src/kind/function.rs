@@ -33,9 +33,8 @@ fn calls(call: &Expr, function: Function, argument: &Expr) -> Vec<Wrong<Expr>> {
         Wrong::new(format!("{what} dropped"), argument.clone()),
         Wrong::new(format!("{what} negated"), negated(call)),
     ];
-    let others = Function::ALL.into_iter().filter(|other| {
-        *other != function && other.properties().exponent.is_some() == function.properties().exponent.is_some()
-    });
+    let others =
+        Function::ALL.into_iter().filter(|other| *other != function && other.is_power() == function.is_power());
     found.extend(others.map(|other| {
         let kind = format!("{} as {}", function.name(), other.name());
         Wrong::new(kind, Expr::Call(other, argument.clone().into()))
