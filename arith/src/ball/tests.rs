@@ -164,6 +164,26 @@ fn elementary_functions_lose_few_digits() {
     }
 }
 
+/// log(1 + e^x), whose argument is rounded to 1 where there are few words.
+fn softplus_holds<const L: usize>(x: f64) {
+    let decisions = Decisions::default();
+    let [exp, log] = ["exp", "log"].map(|name| Function::named(name).unwrap());
+    let one = Ball::<L>::new(1.0, &decisions);
+    let found = Ball::<L>::new(x, &decisions).call(exp).plus(&one).call(log);
+    let exact = Float::with_val(BITS, x).exp().ln_1p();
+    assert!(holds(&found, &exact), "{L} words at {x}: {:?}, {exact:e}", found.accepted());
+}
+
+#[test]
+fn functions_of_functions_hold() {
+    for x in [-460.7507038689, -460.0, -177.5, -30.0, -1e-9, 3.0, 700.0, -5000.0] {
+        softplus_holds::<1>(x);
+        softplus_holds::<4>(x);
+        softplus_holds::<16>(x);
+        softplus_holds::<64>(x);
+    }
+}
+
 #[test]
 fn elementary_functions_are_exact_where_they_are_rational() {
     let decisions = Decisions::default();
