@@ -166,10 +166,12 @@ impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
         self.with(-self.value)
     }
 
-    /// Magnitudes do not tell that a function has a value; no value of a function over- or underflows.
+    /// Magnitudes do not tell that a function has a value. That of a power is in range where its argument is.
     #[inline(always)]
     fn call(&self, function: Function) -> Self {
-        self.if_fine(function.double(self.value), function.is_defined(self.value))
+        let value = function.double(self.value);
+        let in_range = function.is_power() | value.is_normal() | ((value == 0.0) & function.may_vanish(self.value));
+        self.if_fine(value, function.is_defined(self.value) & in_range)
     }
 
     #[inline(always)]

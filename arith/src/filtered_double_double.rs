@@ -162,7 +162,7 @@ impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
     #[inline(always)]
     fn call(&self, function: Function) -> Self {
         let value = self.with(function.double_double(self.value));
-        if function.is_exact() { value } else { value.in_range(true) }
+        if function.is_exact() { value } else { value.in_range(function.may_vanish(self.value.round())) }
     }
 
     #[inline(always)]

@@ -69,6 +69,14 @@ impl SoftFloat {
         self.kind == Kind::Zero
     }
 
+    pub(crate) fn is_negative(self) -> bool {
+        self.negative
+    }
+
+    pub(crate) fn is_nan(self) -> bool {
+        self.kind == Kind::Nan
+    }
+
     /// The exponent of the leading bit; 0 of zero and NaN.
     fn leading(self) -> i64 {
         if self.kind == Kind::Normal { self.exponent + 127 } else { 0 }
@@ -118,7 +126,7 @@ impl SoftFloat {
         (high, self.plus(Self::from_f64(-high)).to_f64())
     }
 
-    fn plus(self, other: Self) -> Self {
+    pub(crate) fn plus(self, other: Self) -> Self {
         match (self.kind, other.kind) {
             (Kind::Nan, _) | (_, Kind::Nan) => return Self::NAN,
             (Kind::Zero, _) => return other,

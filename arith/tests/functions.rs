@@ -25,6 +25,11 @@ fn points() -> Vec<f64> {
     points.extend((1..2000).map(|n| f64::from(n).powi(3)).flat_map(|x| [x, x.next_up(), x.next_down()]));
     points.extend((-357..341).map(|k| f64::powi(8.0, k)));
     points.extend((0..40_000).map(|_| f64::from_bits(random())));
+    // angles, exponents and logarithms of ordinary size, and multiples of a right angle
+    points.extend((1..3_000).map(|n| f64::from(n) * core::f64::consts::FRAC_PI_2));
+    points.extend(
+        (0..20_000).map(|_| f64::from_bits(random() >> 12 | 1023 << 52) * f64::powi(2.0, (random() % 50) as i32 - 40)),
+    );
     // where fractions change over: at powers of two
     points.extend((0..3_000).map(|_| f64::from_bits(random() % (1 << 54) + (1022 << 52))));
     points.retain(|x| x.is_finite());
@@ -47,10 +52,13 @@ fn units(found: &Float, exact: &Float) -> f64 {
 
 /// Where a function has a value, besides MPFR's word for it the table's.
 fn defined(function: Function) -> impl Iterator<Item = f64> {
-    points().into_iter().filter(move |x| {
-        let sign = function.sign(x.partial_cmp(&0.0).unwrap());
-        assert_eq!(sign.is_none(), exact(function, *x).is_nan(), "{function:?} at {x:e}");
-        sign.is_some()
+    // MPFR takes some hundred microseconds for what is no power
+    let step = if function.is_power() { 1 } else { 17 };
+    points().into_iter().step_by(step).filter(move |x| {
+        let (defined, exact) = (function.properties().domain.holds(*x), exact(function, *x));
+        // MPFR has infinities where a function has none
+        assert_eq!(defined, exact.is_finite() || function.name() == "exp", "{function:?} at {x:e}");
+        defined
     })
 }
 
@@ -62,9 +70,10 @@ fn in_f64_the_error_is_what_the_table_says() {
             let found = x.call(function);
             let escalate = Cell::new(false);
             let plain = Filtered::<true>::new(x, &escalate).call(function);
-            assert_eq!((plain.value().to_bits(), escalate.get()), (found.to_bits(), false), "{function:?} at {x:e}");
-            if found != 0.0 && !found.is_normal() {
-                assert!(function.is_exact(), "{function:?} at {x:e}");
+            assert_eq!(plain.value().to_bits(), found.to_bits(), "{function:?} at {x:e}");
+            assert!(!escalate.get() || !function.is_power(), "{function:?} at {x:e}");
+            if found != 0.0 && !found.is_normal() || found == 0.0 && x != 0.0 {
+                assert!(function.is_exact() || !function.is_power(), "{function:?} at {x:e}");
                 continue;
             }
             worst = worst.max(units(&Float::with_val(53, found), &exact(function, x)));
@@ -75,6 +84,7 @@ fn in_f64_the_error_is_what_the_table_says() {
 
 #[test]
 fn where_there_is_no_value_there_is_none_in_any_arithmetic() {
+    // -2 is in no domain but that of all numbers
     for function in Function::ALL.into_iter().filter(|function| !function.is_total()) {
         let (escalate, left) = (Cell::new(false), Cell::new(false));
         assert!((-2.0).call(function).is_nan());
@@ -87,7 +97,7 @@ fn where_there_is_no_value_there_is_none_in_any_arithmetic() {
 
 #[test]
 fn zero_and_its_sign_stay() {
-    for function in Function::ALL {
+    for function in Function::ALL.into_iter().filter(|function| function.signs(Ordering::Equal) == [Ordering::Equal]) {
         assert_eq!(0.0.call(function).to_bits(), 0.0_f64.to_bits());
         let expected = if function.is_even() { 0.0_f64 } else { -0.0 };
         assert_eq!((-0.0).call(function).to_bits(), expected.to_bits(), "{function:?}");
@@ -164,6 +174,12 @@ fn faithful_and_certified_calls_keep_their_promises_everywhere() {
             let near = faithful(&Call(function)).unwrap().value;
             let balls = certified(&Call(function)).unwrap().value;
             let nearest = exact.to_f64();
+            if !nearest.is_normal() && x != 0.0 {
+                // beyond all exponents of balls it stays open
+                let is_near = |value: f64| [nearest.next_down(), nearest, nearest.next_up()].contains(&value);
+                assert!(is_near(near) && (is_near(balls) || balls.is_nan()), "{function:?} at {x:e}");
+                continue;
+            }
             assert!(near == nearest || near == nearest.next_up() || near == nearest.next_down(), "{function:?} {x:e}");
             if exact.is_zero() || function.is_exact() {
                 assert_eq!(balls, nearest);
@@ -179,7 +195,7 @@ fn faithful_and_certified_calls_keep_their_promises_everywhere() {
 #[test]
 fn in_soft_floats_values_are_right_far_beyond_any_exponent() {
     for function in Function::ALL {
-        let (p, q) = function.properties().exponent;
+        let Some((p, q)) = function.properties().exponent else { continue };
         for x in [3.0, 0.7, 1e300, -5.0].into_iter().filter(|x| *x > 0.0 || function.is_total()) {
             // x^(4^8), whose value is x's to that power
             let power = |x: SoftFloat| (0..8).fold(x, |y, _| y.mul(&y).mul(&y).mul(&y));
@@ -196,13 +212,15 @@ fn in_soft_floats_values_are_right_far_beyond_any_exponent() {
 #[test]
 fn signs_and_order_are_those_of_the_table() {
     for function in Function::ALL {
-        let mut sorted: Vec<f64> = defined(function).collect();
+        let mut sorted: Vec<f64> = defined(function).filter(|x| x.is_normal() || *x == 0.0).collect();
         sorted.sort_by(f64::total_cmp);
         for pair in sorted.windows(2) {
             let [a, b] = [pair[0], pair[1]].map(|x| x.call(function));
-            assert_eq!(a.partial_cmp(&0.0), function.sign(pair[0].partial_cmp(&0.0).unwrap()));
+            let sign = a.partial_cmp(&0.0).unwrap();
+            // a value that underflows is zero
+            let allowed = function.signs(pair[0].partial_cmp(&0.0).unwrap());
+            assert!(allowed.contains(&sign) || sign == Ordering::Equal, "{function:?} at {:e}", pair[0]);
             assert!(!function.properties().increases || a <= b, "{function:?} between {:e} and {:e}", pair[0], pair[1]);
         }
-        assert_eq!(function.sign(Ordering::Equal), Some(Ordering::Equal));
     }
 }

@@ -32,6 +32,7 @@ mod table;
 mod unit;
 mod walk;
 
+pub use closedform_arith::function::Domain as FunctionDomain;
 pub use closedform_arith::{Function, Operations, Precision, Relation};
 
 pub use certificate::{RULES, certificate, certified};

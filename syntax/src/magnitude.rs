@@ -110,7 +110,7 @@ impl Walk<'_> {
             Expr::Name(name) => Some(self.slots[name.slot]),
             Expr::Pi(_) => Some(Bounds::literal(std::f64::consts::PI)),
             Expr::Neg(inner) => Some(self.value(inner)?.negated()),
-            Expr::Call(function, inner) => Some(self.value(inner)?.called(*function)),
+            Expr::Call(function, inner) => self.value(inner)?.called(*function),
             Expr::Binary { op, left, right } => {
                 let (left, right) = (self.value(left)?, self.value(right)?);
                 match op {

@@ -18,6 +18,27 @@ impl<const L: usize> Enclosure<L> {
         Enclosure { middle, radius: cut.map_or(radius, |exponent| radius.plus(Radius::power_of_two(exponent))) }
     }
 
+    /// A number as it is.
+    pub(super) fn exact(middle: Limbs<L>) -> Self {
+        Enclosure { middle, radius: Radius::ZERO }
+    }
+
+    /// An integer, times 2^twos.
+    pub(super) fn integer(integer: u64, twos: i64) -> Self {
+        Self::exact(Limbs::from_integer(false, integer, twos))
+    }
+
+    /// The number times 2^by.
+    pub(super) fn scaled(self, by: i64) -> Self {
+        let radius = self.radius.times(Radius::power_of_two(by));
+        Enclosure { middle: self.middle.scaled(by), radius: if self.radius.is_zero() { self.radius } else { radius } }
+    }
+
+    /// The same, and all that is no farther than this from it.
+    pub(super) fn widened(self, by: Radius) -> Self {
+        Enclosure { radius: self.radius.plus(by), ..self }
+    }
+
     /// At least the largest magnitude in it.
     pub(super) fn size(&self) -> Radius {
         self.middle_size().plus(self.radius)
@@ -41,6 +62,23 @@ impl<const L: usize> Enclosure<L> {
             self.radius.times(other.size()).plus(self.middle_size().times(other.radius))
         };
         Self::of(self.middle.times(other.middle), radius)
+    }
+
+    /// |x/y - a/b| <= (r_x + |a/b| r_y)/|y|, where y is no nearer to zero than |b| - r_y, which must be at least |b|/2.
+    pub(super) fn over(self, other: Self) -> Option<Self> {
+        let (value, exponent) = (other.middle.leading(), other.middle.exponent());
+        if other.middle.is_zero() || !other.radius.is_less_than(value, exponent - 1) {
+            return None;
+        }
+        let quotient = self.middle_size().over(value, exponent);
+        let radius = self.radius.plus(quotient.times(other.radius)).over(value, exponent - 1);
+        Some(Self::of(self.middle.over(other.middle), radius))
+    }
+
+    /// A quotient by an integer that is not zero.
+    pub(super) fn over_integer(self, integer: u64) -> Self {
+        let divisor = Limbs::from_integer(false, integer, 0);
+        Self::of(self.middle.over(divisor), self.radius.over(divisor.leading(), divisor.exponent()))
     }
 
     pub(super) fn negated(self) -> Self {

@@ -205,6 +205,19 @@ impl<const L: usize> Limbs<L> {
         (number, (lost || !exact).then(|| number.unit()))
     }
 
+    /// The integer part, and its last two bits; `None` where its units are not among the words.
+    pub(super) fn whole(self) -> Option<(Self, u64)> {
+        let Ok(bits @ 1..) = usize::try_from(self.exponent) else { return Some((Self::ZERO, 0)) };
+        let below = (64 * L).checked_sub(bits)?;
+        let mut words = self.words;
+        for (at, word) in words.iter_mut().enumerate() {
+            let cleared = below.saturating_sub(64 * at).min(64);
+            *word = if cleared == 64 { 0 } else { *word >> cleared << cleared };
+        }
+        let bit = |place: usize| words.get(place / 64).map_or(0, |word| word >> (place % 64) & 1);
+        Some((Limbs { words, ..self }, bit(below) + 2 * bit(below + 1)))
+    }
+
     /// Shifted so that the leading bit is set.
     fn normalised(self) -> Self {
         match self.words.last() {

@@ -5,6 +5,8 @@
 //! bound shows that the two sides are equal. What is not decided is said to be [undecided](Decisions): the call is then
 //! computed again with more words.
 
+mod constants;
+mod elementary;
 mod enclosure;
 mod end;
 mod limbs;
@@ -196,23 +198,18 @@ impl<'a, const L: usize> Ball<'a, L> {
         })
     }
 
-    /// |x/y - a/b| <= (r_x + |a/b| r_y)/|y|, where y is no nearer to zero than |b| - r_y, at least |b|/2 here.
+    /// A quotient by what may be zero has no value, or it is not known whether it has one.
     fn over(&self, other: &Self) -> Self {
         if let Some(without) = self.without_values(other) {
             return without;
         }
-        match other.sign() {
-            Some(Ordering::Equal) => return Self::without_value(Kind::Nothing, self.decisions),
-            None => return Self::without_value(Kind::Unknown, self.decisions),
-            Some(_) => {}
+        if other.sign() == Some(Ordering::Equal) {
+            return Self::without_value(Kind::Nothing, self.decisions);
         }
-        if !other.radius.is_less_than(other.middle.leading(), other.middle.exponent() - 1) {
-            return Self::without_value(Kind::Unknown, self.decisions);
+        match self.enclosure().over(other.enclosure()) {
+            Some(quotient) => self.enclosed_in(quotient, self.joined(other, Separation::over)),
+            None => Self::without_value(Kind::Unknown, self.decisions),
         }
-        let (value, exponent) = (other.middle.leading(), other.middle.exponent());
-        let quotient = self.enclosure().middle_size().over(value, exponent);
-        let radius = self.radius.plus(quotient.times(other.radius)).over(value, exponent - 1);
-        self.of(self.middle.over(other.middle), radius, self.joined(other, Separation::over))
     }
 
     /// The magnitude of the middle is no farther from that of the value than the middle is from the value.

@@ -1,7 +1,6 @@
 //! Programs in balls: `Real` for `Ball`.
 
-use super::limbs::Limbs;
-use super::radius::Radius;
+use super::enclosure::Enclosure;
 use super::{Ball, Kind, root};
 use crate::function::Function;
 use crate::real::Real;
@@ -15,7 +14,7 @@ impl<const L: usize> Real for Ball<'_, L> {
     }
 
     fn pi(&self) -> Self {
-        self.of(Limbs::from_fraction(2, &root::PI), Radius::ZERO, None)
+        self.enclosed_in(Enclosure::pi(0), None)
     }
 
     fn nan(&self) -> Self {

@@ -93,7 +93,7 @@ impl Random {
 fn operations_hold<const L: usize>(rounds: u32, seed: u64) {
     let decisions = Decisions::default();
     let mut random = Random(seed);
-    let (mut quotients, mut roots) = (0, 0);
+    let (mut quotients, mut values) = (0, 0);
     for round in 0..rounds {
         let (a, x) = random.ball::<L>(&decisions);
         let (b, y) = random.near(&a);
@@ -110,20 +110,25 @@ fn operations_hold<const L: usize>(rounds: u32, seed: u64) {
             assert!(holds(&quotient, &Float::with_val(BITS, &x / &y)), "quotient, {round}");
         }
         for function in Function::ALL {
+            let is_power = function.is_power();
+            // MPFR takes a millisecond for each of the others
+            if !is_power && round % 100 != 0 {
+                continue;
+            }
             let value = a.call(function);
             let mut exact = x.clone();
             function.mpfr(&mut exact);
-            if value.kind == Kind::Number {
-                roots += 1;
+            if value.kind == Kind::Number && value.middle.exponent().abs() < 1 << 30 && exact.is_finite() {
+                values += 1;
                 assert!(holds(&value, &exact), "{function:?}, {round}");
             }
-            assert!(value.kind != Kind::Unknown || !function.is_total(), "{function:?}, {round}");
+            assert!(value.kind != Kind::Unknown || !function.is_total() || !is_power, "{function:?}, {round}");
         }
         if let Some(order) = a.partial_cmp(&b) {
             assert_eq!(Some(order), x.partial_cmp(&y), "order, {round}");
         }
     }
-    assert!(quotients > rounds / 3 && roots > 2 * rounds, "{quotients} quotients and {roots} roots of {rounds}");
+    assert!(quotients > rounds / 3 && values > 2 * rounds, "{quotients} quotients and {values} values of {rounds}");
 }
 
 #[test]
@@ -133,6 +138,68 @@ fn balls_hold_what_operations_give() {
     operations_hold::<4>(20_000, 3);
     operations_hold::<16>(2_000, 4);
     operations_hold::<64>(200, 5);
+}
+
+/// The digits, in bits, that elementary functions of exact ordinary numbers keep.
+fn kept<const L: usize>(function: Function, x: f64) -> i64 {
+    let decisions = Decisions::default();
+    let value = Ball::<L>::new(x, &decisions).call(function);
+    assert_eq!(value.kind, Kind::Number, "{function:?} of {x}");
+    value.middle.exponent() - value.radius.parts().1
+}
+
+#[test]
+fn elementary_functions_lose_few_digits() {
+    for function in Function::ALL.into_iter().filter(|function| !function.is_power()) {
+        for x in
+            [0.9, 0.5, 0.3, 1e-3, 2.2e-300, 1.0 - 1e-15].into_iter().filter(|x| function.properties().domain.holds(*x))
+        {
+            // 50 bits go where a logarithm is that near to 0, up to 32 by squaring
+            for (words, kept) in
+                [(4, kept::<4>(function, x)), (16, kept::<16>(function, x)), (64, kept::<64>(function, x))]
+            {
+                assert!(kept >= 64 * words - 100, "{function:?} of {x:e}: {kept} bits of {words} words");
+            }
+        }
+    }
+}
+
+/// log(1 + e^x), whose argument is rounded to 1 where there are few words.
+fn softplus_holds<const L: usize>(x: f64) {
+    let decisions = Decisions::default();
+    let [exp, log] = ["exp", "log"].map(|name| Function::named(name).unwrap());
+    let one = Ball::<L>::new(1.0, &decisions);
+    let found = Ball::<L>::new(x, &decisions).call(exp).plus(&one).call(log);
+    let exact = Float::with_val(BITS, x).exp().ln_1p();
+    assert!(holds(&found, &exact), "{L} words at {x}: {:?}, {exact:e}", found.accepted());
+}
+
+#[test]
+fn functions_of_functions_hold() {
+    for x in [-460.7507038689, -460.0, -177.5, -30.0, -1e-9, 3.0, 700.0, -5000.0] {
+        softplus_holds::<1>(x);
+        softplus_holds::<4>(x);
+        softplus_holds::<16>(x);
+        softplus_holds::<64>(x);
+    }
+}
+
+#[test]
+fn elementary_functions_are_exact_where_they_are_rational() {
+    let decisions = Decisions::default();
+    let value = |function: &str, x| Ball::<4>::new(x, &decisions).call(Function::named(function).unwrap()).accepted();
+    for (function, x, expected) in [
+        ("exp", 0.0, 1.0),
+        ("log", 1.0, 0.0),
+        ("sin", 0.0, 0.0),
+        ("cos", 0.0, 1.0),
+        ("tan", 0.0, 0.0),
+        ("asin", 0.0, 0.0),
+        ("acos", 1.0, 0.0),
+        ("atan", 0.0, 0.0),
+    ] {
+        assert_eq!(value(function, x), Some((expected, true)), "{function}({x})");
+    }
 }
 
 #[test]

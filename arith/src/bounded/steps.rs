@@ -90,6 +90,9 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
     /// A function: a power of the magnitude of its argument.
     #[inline(always)]
     pub(super) fn called(&self, function: Function) -> Self {
+        if !function.is_power() {
+            return self.spread(function);
+        }
         let argument = if function.is_exact() { *self } else { self.collapsed() };
         self.raise(!function.is_defined(self.value));
         let (value, signs) = (function.double(self.value), self.signs.through(function));
@@ -98,6 +101,19 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
         }
         Bounded { value, signs, count: count_after(function, argument.count), ..argument }
     }
+
+    /// A function that is no power: its own error is relative, and what it makes of the argument's is absolute.
+    fn spread(&self, function: Function) -> Self {
+        self.raise(!function.is_defined(self.value));
+        let (value, signs) = (function.double(self.value), self.signs.through(function));
+        let zero = (value == 0.0) & function.may_vanish(self.value);
+        let exact = Bounded { count: own(function), ..self.exactly(value, signs) }.watched(value.is_normal() | zero);
+        if self.count == 0 && self.clean {
+            return exact;
+        }
+        let error = function.spread(self.value, value, self.bound()) + UNDERFLOW;
+        Bounded { error, clean: false, slack: 8, ..exact }
+    }
 }
 
 /// The count of a power of a number of this count: its share, one for terms of higher order, and the function's own error, which
@@ -105,11 +121,17 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
 #[inline(always)]
 fn count_after(function: Function, count: u32) -> u32 {
     let properties = function.properties();
-    let ((p, q), error) = (properties.exponent, properties.error);
-    if count > MOST || p > q {
-        return u32::MAX;
+    match properties.exponent {
+        Some((p, q)) if count <= MOST && p <= q => (count * p).div_ceil(q) + own(function) + 1,
+        _ => u32::MAX,
     }
-    (count * p).div_ceil(q) + error.numerator.div_ceil(error.denominator) + 2
+}
+
+/// The count of a function's own error, which is one more when it is taken relative to what was computed.
+#[inline(always)]
+fn own(function: Function) -> u32 {
+    let error = function.properties().error;
+    error.numerator.div_ceil(error.denominator) + 1
 }
 
 /// What is proved of counts holds for the largest.
@@ -119,9 +141,13 @@ impl Signs {
     /// Those of the value of a function.
     #[inline(always)]
     fn through(self, function: Function) -> Self {
-        use core::cmp::Ordering::{Greater, Less};
-        let (below, above) = (function.sign(Less), function.sign(Greater));
-        let may_be = |sign| (self.negative & (below == Some(sign))) | (self.positive & (above == Some(sign)));
+        use core::cmp::Ordering::{self, Equal, Greater, Less};
+        let of = |sign: Ordering| function.signs(sign);
+        let may_be = |sign| {
+            (self.negative & of(Less).contains(&sign))
+                | (self.positive & of(Greater).contains(&sign))
+                | of(Equal).contains(&sign)
+        };
         Signs { negative: may_be(Less), positive: may_be(Greater) }
     }
 }

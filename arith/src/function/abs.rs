@@ -1,8 +1,6 @@
 //! The magnitude.
 
-use core::cmp::Ordering::{Equal, Greater};
-
-use super::{Cost, Definition, Properties};
+use super::{Cost, Definition, Domain, Parity, Properties, signs};
 use crate::ball::Ball;
 use crate::double_double::DoubleDouble;
 use crate::error_model::Units;
@@ -16,8 +14,10 @@ impl Definition for Abs {
         name: "abs",
         noun: "magnitude",
         maxima: "abs(x)",
-        exponent: (1, 1),
-        signs: [Some(Greater), Some(Equal), Some(Greater)],
+        exponent: Some((1, 1)),
+        domain: Domain::All,
+        signs: [signs::POSITIVE, signs::ZERO, signs::POSITIVE],
+        parity: Parity::Even,
         increases: false,
         derivative: None,
         error: Units::NONE,

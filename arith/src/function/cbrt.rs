@@ -1,8 +1,6 @@
 //! The real cube root, of numbers of any sign.
 
-use core::cmp::Ordering::{Equal, Greater, Less};
-
-use super::{Cost, Definition, Properties};
+use super::{Cost, Definition, Domain, Parity, Properties, signs};
 use crate::ball::Ball;
 use crate::double_double::DoubleDouble;
 use crate::error_model::{CUBE_ROOT, double_double};
@@ -20,8 +18,10 @@ impl Definition for Cbrt {
         name: "cbrt",
         noun: "cube root",
         maxima: "x^(1/3)",
-        exponent: (1, 3),
-        signs: [Some(Less), Some(Equal), Some(Greater)],
+        exponent: Some((1, 3)),
+        domain: Domain::All,
+        signs: [signs::NEGATIVE, signs::ZERO, signs::POSITIVE],
+        parity: Parity::Odd,
         increases: true,
         derivative: Some("1.0 / (3.0 * y * y)"),
         error: CUBE_ROOT,

@@ -7,11 +7,20 @@
 //! needs comparisons and no arithmetic, and rounds nothing.
 
 mod abs;
+mod acos;
+mod asin;
+mod atan;
 mod cbrt;
+mod cos;
 mod cost;
+mod elementary;
+mod exp;
+mod log;
 mod operations;
 mod properties;
+mod sin;
 mod sqrt;
+mod tan;
 
 use core::cmp::Ordering;
 
@@ -19,7 +28,8 @@ use crate::ball::Ball;
 use crate::double_double::DoubleDouble;
 use crate::soft_float::SoftFloat;
 pub use cost::Cost;
-pub use properties::Properties;
+use properties::signs;
+pub use properties::{Domain, Parity, Properties};
 
 /// A function: what holds of it, and its value in every arithmetic.
 trait Definition {
@@ -38,6 +48,13 @@ trait Definition {
 
     /// In balls: one that holds the value at every number of the ball `x`.
     fn ball<'a, const L: usize>(x: &Ball<'a, L>) -> Ball<'a, L>;
+
+    /// At least |f(x + d) - f(x)| for every |d| <= `error`, but for a factor of 1 + 2^-40 of rounding, with the value `y` in `f64` at `x`.
+    /// Nobody asks it of a power.
+    #[inline(always)]
+    fn spread(_: f64, _: f64, _: f64) -> f64 {
+        f64::INFINITY
+    }
 
     /// In MPFR, correctly rounded.
     #[cfg(any(test, feature = "mpfr"))]
@@ -74,6 +91,14 @@ macro_rules! functions {
             pub(crate) fn double(self, x: f64) -> f64 {
                 match self {
                     $(Self::$name => $file::$name::double(x),)*
+                }
+            }
+
+            /// At least what an error of the argument `x` is of the value `y`, of a function that is no power.
+            #[inline(always)]
+            pub(crate) fn spread(self, x: f64, y: f64, error: f64) -> f64 {
+                match self {
+                    $(Self::$name => $file::$name::spread(x, y, error),)*
                 }
             }
 
@@ -114,6 +139,14 @@ functions! {
     Sqrt in sqrt counted as sqrt,
     Abs in abs,
     Cbrt in cbrt counted as cbrt,
+    Exp in exp counted as exp,
+    Log in log counted as log,
+    Sin in sin counted as sin,
+    Cos in cos counted as cos,
+    Tan in tan counted as tan,
+    Asin in asin counted as asin,
+    Acos in acos counted as acos,
+    Atan in atan counted as atan,
 }
 
 impl Function {
@@ -141,25 +174,35 @@ impl Function {
         Self::ALL.into_iter().find(|function| function.degree() == Some(degree))
     }
 
+    /// Whether its magnitude is a power of that of its argument.
+    #[inline(always)]
+    #[must_use]
+    pub const fn is_power(self) -> bool {
+        self.properties().exponent.is_some()
+    }
+
     /// The degree, if it is a root.
     #[must_use]
     pub fn degree(self) -> Option<u32> {
         match self.properties().exponent {
-            (1, degree @ 2..) => Some(degree),
+            Some((1, degree @ 2..)) => Some(degree),
             _ => None,
         }
     }
 
-    /// What an error of the argument is of the value, both relative and small.
+    /// What an error of the argument is of the value, both relative and small; infinite where that depends on the argument.
     #[must_use]
     pub fn carried(self, error: f64) -> f64 {
-        let (p, q) = self.properties().exponent;
-        f64::from(p) / f64::from(q) * error
+        match self.properties().exponent {
+            Some((p, q)) => f64::from(p) / f64::from(q) * error,
+            None if error == 0.0 => 0.0,
+            None => f64::INFINITY,
+        }
     }
 
-    /// The sign of the value at an argument of this sign; `None` where there is no value.
+    /// The signs that the value can have at an argument of this sign; none where there is no value.
     #[must_use]
-    pub const fn sign(self, of_argument: Ordering) -> Option<Ordering> {
+    pub const fn signs(self, of_argument: Ordering) -> &'static [Ordering] {
         let [negative, zero, positive] = self.properties().signs;
         match of_argument {
             Ordering::Less => negative,
@@ -171,41 +214,36 @@ impl Function {
     /// Whether it has a value at every number.
     #[must_use]
     pub const fn is_total(self) -> bool {
-        self.sign(Ordering::Less).is_some()
+        matches!(self.properties().domain, Domain::All)
     }
 
-    /// Whether it turns its sign with the argument's; the size of its value depends on that of the argument alone.
+    /// Whether it turns its sign with the argument's.
     #[must_use]
-    pub fn is_odd(self) -> bool {
-        self.sign(Ordering::Less) == self.sign(Ordering::Greater).map(Ordering::reverse)
+    pub const fn is_odd(self) -> bool {
+        matches!(self.properties().parity, Parity::Odd)
     }
 
     /// Whether it is the same at the argument's negative.
     #[must_use]
-    pub fn is_even(self) -> bool {
-        self.sign(Ordering::Less) == self.sign(Ordering::Greater)
+    pub const fn is_even(self) -> bool {
+        matches!(self.properties().parity, Parity::Even)
     }
 
-    /// Whether it has a value there; magnitudes do not tell.
+    /// Whether it has a value there.
     #[inline(always)]
     pub(crate) fn is_defined(self, x: f64) -> bool {
-        self.is_total() | (x >= 0.0)
+        self.properties().domain.holds(x)
+    }
+
+    /// Whether a value of zero is one, not a value that underflows: powers vanish with their arguments, all others at 0 and 1 only.
+    #[inline(always)]
+    pub(crate) fn may_vanish(self, x: f64) -> bool {
+        self.is_power() | (x == 0.0) | (x == 1.0)
     }
 
     /// Whether the value is the argument but for its sign, so that nothing is rounded.
     #[must_use]
     pub const fn is_exact(self) -> bool {
-        matches!(self.properties().exponent, (1, 1))
+        matches!(self.properties().exponent, Some((1, 1)))
     }
 }
-
-// What the functions above take for granted: zero goes to zero, so only numbers below it can have no value.
-const _: () = {
-    let mut at = 0;
-    while at < Function::ALL.len() {
-        let function = Function::ALL[at];
-        assert!(matches!(function.sign(Ordering::Equal), Some(Ordering::Equal)));
-        assert!(function.sign(Ordering::Greater).is_some());
-        at += 1;
-    }
-};

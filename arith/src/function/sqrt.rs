@@ -1,8 +1,6 @@
 //! The square root.
 
-use core::cmp::Ordering::{Equal, Greater};
-
-use super::{Cost, Definition, Properties};
+use super::{Cost, Definition, Domain, Parity, Properties, signs};
 use crate::ball::Ball;
 use crate::double_double::DoubleDouble;
 use crate::error_model::{ROUNDING, double_double};
@@ -20,8 +18,10 @@ impl Definition for Sqrt {
         name: "sqrt",
         noun: "square root",
         maxima: "sqrt(x)",
-        exponent: (1, 2),
-        signs: [None, Some(Equal), Some(Greater)],
+        exponent: Some((1, 2)),
+        domain: Domain::NotNegative,
+        signs: [signs::NO_VALUE, signs::ZERO, signs::POSITIVE],
+        parity: Parity::None,
         increases: true,
         derivative: Some("1.0 / (2.0 * y)"),
         error: ROUNDING,

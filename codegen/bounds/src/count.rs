@@ -120,7 +120,9 @@ impl<'k> Counter<'k> {
             Expr::Call(function, inner) => {
                 let count = self.count(inner, case, step)?;
                 self.has_value(*function, inner, case, step)?;
-                let (p, q) = function.properties().exponent;
+                let Some((p, q)) = function.properties().exponent else {
+                    return self.refuse(step, Reason::Elementary(text(expr)));
+                };
                 Ok(count * integer(p.into()) / integer(q.into()) + self.call(*function))
             }
             Expr::Binary { op: BinaryOp::Add | BinaryOp::Sub, left, right } => {

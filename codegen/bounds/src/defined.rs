@@ -6,6 +6,7 @@ use crate::count::Counter;
 use crate::refusal::{Reason, Refusal, Undefined};
 use crate::sign::Sign;
 use crate::text::{is_whole, text};
+use closedform_arith::function::Domain;
 use closedform_syntax::{BinaryOp, Condition, Expr, Function, condition_text};
 
 impl<'k> Counter<'k> {
@@ -14,7 +15,7 @@ impl<'k> Counter<'k> {
         self.has_sign(divisor, Sign::NONZERO, Undefined::Quotient, case, step)
     }
 
-    /// That a function has a value: that the argument of one that has none below zero is not negative.
+    /// That a root has a value: that the argument of one that has none below zero is not negative. Other functions have no bound.
     pub(crate) fn has_value(
         &self,
         function: Function,
@@ -22,7 +23,7 @@ impl<'k> Counter<'k> {
         case: &Case,
         step: &str,
     ) -> Result<(), Refusal> {
-        if function.is_total() {
+        if function.properties().domain != Domain::NotNegative {
             return Ok(());
         }
         self.has_sign(argument, Sign::NONNEGATIVE, Undefined::Root, case, step)

@@ -45,6 +45,8 @@ pub enum Reason {
         /// The condition that would make it so, if one on inputs does.
         condition: Option<String>,
     },
+    /// A function whose error is not proved.
+    Elementary(String),
     /// A `residual!` that corrects no root.
     Residual(String),
     /// A root's correction that is none, or not shown to be right.
@@ -116,6 +118,7 @@ impl Reason {
             | Self::Undefined { value: text, .. }
             | Self::Correction { correction: text, .. }
             | Self::Undecided(text)
+            | Self::Elementary(text)
             | Self::Residual(text) => Some(text),
             _ => None,
         }
@@ -159,6 +162,11 @@ impl fmt::Display for Reason {
             Self::Undefined { kind, value, condition: None } => {
                 write!(f, "`{value}` {}: say by `require!(..)` what of the inputs keeps it from that", kind.cause())
             }
+            Self::Elementary(call) => write!(
+                f,
+                "the error of `{call}` in `f64` is not proved: leave the bound out and say `precision = \"certified\"`, so that \
+                 every call bounds its own error"
+            ),
             Self::Residual(residual) => write!(
                 f,
                 "`{residual}` has no bound of its own: use it to correct a `positive_root`, or write `compensated!`"

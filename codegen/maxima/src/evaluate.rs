@@ -7,6 +7,7 @@ mod root;
 mod scope;
 mod stable;
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use rug::Float;
@@ -27,5 +28,16 @@ use scope::Scope;
 ///
 /// A name without value, something that has no real value, or what this evaluator does not know.
 pub fn evaluate(expression: &Expr, inputs: &BTreeMap<String, Float>, precision: u32) -> Result<Float, EvalError> {
-    Scope::new(inputs, precision.clamp(prec_min(), prec_max())).value(expression)
+    evaluate_reaching(expression, inputs, precision).0
+}
+
+/// The same, and how far the values of functions in it are from 1 at most, as a power of two.
+fn evaluate_reaching(
+    expression: &Expr,
+    inputs: &BTreeMap<String, Float>,
+    precision: u32,
+) -> (Result<Float, EvalError>, u32) {
+    let reach = Cell::new(0);
+    let value = Scope::new(inputs, precision.clamp(prec_min(), prec_max()), &reach).value(expression);
+    (value, reach.get())
 }

@@ -20,6 +20,15 @@ fn error(text: &str) -> (EvalError, &str) {
 }
 
 #[test]
+fn what_a_function_makes_small_is_not_lost_beside_one() {
+    for x in [-460.75, -177.5, -800.0] {
+        let found = value("log(1+%e^x)", &[("x", x)]).unwrap();
+        let exact = Float::with_val(400, x).exp().ln_1p();
+        assert!((Float::with_val(400, &found - &exact) / exact).abs() < 1e-30, "{x}: {found:e}");
+    }
+}
+
+#[test]
 fn values_are_right() {
     let inputs = [("x", 2.0), ("y", 0.5), ("z", -8.0)];
     for (text, wanted) in [

@@ -134,7 +134,9 @@ impl Slots {
                 }
             }
             Expr::Call(function, inner) => match **inner {
-                Expr::Literal { value, .. } if value == 0.0 || value == 1.0 => self.canonical(inner),
+                Expr::Literal { value, .. } if function.is_power() && (value == 0.0 || value == 1.0) => {
+                    self.canonical(inner)
+                }
                 _ => self.called(function.name(), inner, function.is_odd(), function.is_even()),
             },
             Expr::Compensated(expression) => self.called("compensated", &expression.value, true, false),

@@ -2,7 +2,7 @@ use closedform::kernel;
 
 #[kernel]
 pub fn f(x: f64) -> f64 {
-    sin(x)
+    erf(x)
 }
 
 fn main() {}

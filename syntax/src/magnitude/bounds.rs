@@ -50,9 +50,9 @@ impl Sign {
 
     /// That of a function's value.
     fn called(self, function: Function) -> Self {
-        let at = |sign| match function.sign(sign) {
-            Some(Ordering::Less) => Some(Sign::Negative),
-            Some(Ordering::Greater) => Some(Sign::Positive),
+        let at = |sign| match function.signs(sign) {
+            [Ordering::Less] => Some(Sign::Negative),
+            [Ordering::Greater] => Some(Sign::Positive),
             _ => None,
         };
         let (negative, positive) = (at(Ordering::Less), at(Ordering::Greater));
@@ -169,17 +169,18 @@ impl Bounds {
         Bounds { low, high, grid: low - FRACTION, sign: self.sign.times(other.sign), ..self }
     }
 
-    /// The value of a function, where it has one.
-    pub(super) fn called(self, function: Function) -> Self {
+    /// The value of a function, where it has one; `None` of one that is no power, whose magnitude does not follow from that of
+    /// its argument.
+    pub(super) fn called(self, function: Function) -> Option<Self> {
         let sign = self.sign.called(function);
         if function.is_exact() {
-            return Bounds { sign, ..self };
+            return Some(Bounds { sign, ..self });
         }
-        let (p, q) = function.properties().exponent;
+        let (p, q) = function.properties().exponent?;
         let (p, q) = (i64::from(p), i64::from(q));
         let low = (self.low * p).div_euclid(q);
         let high = (self.high * p + q - 1).div_euclid(q);
-        Bounds { low, high, grid: low - FRACTION, sign, ..self }
+        Some(Bounds { low, high, grid: low - FRACTION, sign, ..self })
     }
 }
 

@@ -117,8 +117,8 @@ impl Sign {
     /// That of a function's value, where there is one.
     pub fn called(self, function: Function) -> Self {
         let signs = [(self.negative, Less), (self.zero, Equal), (self.positive, Greater)];
-        let values = signs.into_iter().filter(|(possible, _)| *possible).filter_map(|(_, sign)| function.sign(sign));
-        let is = |wanted: Ordering| values.clone().any(|sign| sign == wanted);
+        let values = signs.into_iter().filter(|(possible, _)| *possible).flat_map(|(_, sign)| function.signs(sign));
+        let is = |wanted: Ordering| values.clone().any(|sign| *sign == wanted);
         Self { negative: is(Less), zero: is(Equal), positive: is(Greater) }
     }
 

@@ -90,13 +90,13 @@ impl Sign {
         Self(self.0 | other.0)
     }
 
-    /// The sign of a function's value, where there is one.
+    /// The signs of a function's value, where there is one.
     #[must_use]
     pub fn called(self, function: Function) -> Self {
         let signs = [(NEGATIVE, Ordering::Less), (ZERO, Ordering::Equal), (POSITIVE, Ordering::Greater)];
         let bit = |sign: Ordering| signs.iter().find(|(_, other)| *other == sign).map_or(0, |(bit, _)| *bit);
-        let values = signs.iter().filter(|(bit, _)| self.0 & bit != 0).filter_map(|(_, sign)| function.sign(*sign));
-        Self(values.fold(0, |all, sign| all | bit(sign)))
+        let values = signs.iter().filter(|(bit, _)| self.0 & bit != 0).flat_map(|(_, sign)| function.signs(*sign));
+        Self(values.fold(0, |all, sign| all | bit(*sign)))
     }
 
     /// The sign of a power.

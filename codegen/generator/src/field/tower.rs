@@ -62,6 +62,9 @@ pub enum TowerError {
     /// A name that is no input.
     #[error("uses `{0}`, which is no input")]
     UnknownName(String),
+    /// A function that is no root.
+    #[error("calls `{0}`, which is not algebraic")]
+    NotAlgebraic(&'static str),
     /// A sum with a cube root that may cancel in a way that no rule mends.
     #[error("adds three terms with a cube root, or its square, that may cancel")]
     CancellingCubes,
@@ -213,6 +216,7 @@ impl Tower {
             Function::Sqrt => self.sqrt(argument),
             Function::Abs => self.abs(argument),
             Function::Cbrt => self.cube_root(argument),
+            other => Err(TowerError::NotAlgebraic(other.name())),
         }
     }
 

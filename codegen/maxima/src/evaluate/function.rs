@@ -29,7 +29,9 @@ pub(super) fn call(scope: &Scope, name: &str, arguments: &[Expr], span: &Range<u
         ("positive_root", [polynomial, variable]) => root::positive_root(scope, polynomial, variable),
         ("atan2" | "positive_root", _) => Err(count("two arguments")),
         _ => match (simple(name), arguments) {
-            (Some(function), [argument]) => within_reach(name, scope.value(argument)?, span).map(function),
+            (Some(function), [argument]) => {
+                within_reach(name, scope.value(argument)?, span).map(|argument| scope.reached(function(argument)))
+            }
             (Some(_), _) => Err(count("one argument")),
             (None, _) => Err(EvalError::UnknownFunction { name: name.to_owned(), span: span.clone() }),
         },

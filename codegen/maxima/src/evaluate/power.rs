@@ -28,7 +28,7 @@ pub(super) fn power(scope: &Scope, base: &Expr, exponent: &Expr) -> Result<Float
             if value.is_zero() && !exponent.is_sign_positive() {
                 return Err(EvalError::DivisionByZero { span: base.span.clone() });
             }
-            Ok(value.pow(exponent))
+            Ok(scope.reached(value.pow(exponent)))
         }
     }
 }

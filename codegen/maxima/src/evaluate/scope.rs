@@ -1,5 +1,6 @@
 //! The names an expression sees, and its value among them.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -31,11 +32,19 @@ pub(super) struct Scope<'a> {
     local: Option<&'a Local<'a>>,
     /// Bits of every result.
     pub precision: u32,
+    reach: &'a Cell<u32>,
 }
 
 impl<'a> Scope<'a> {
-    pub(super) fn new(inputs: &'a BTreeMap<String, Float>, precision: u32) -> Self {
-        Self { inputs, local: None, precision }
+    pub(super) fn new(inputs: &'a BTreeMap<String, Float>, precision: u32, reach: &'a Cell<u32>) -> Self {
+        Self { inputs, local: None, precision, reach }
+    }
+
+    /// Takes note of how far the value of a function that is no root is from 1, as a power of two: it is not seen in the inputs.
+    pub(super) fn reached(&self, value: Float) -> Float {
+        let exponent = value.get_exp().map_or(0, i32::unsigned_abs);
+        self.reach.set(self.reach.get().max(exponent));
+        value
     }
 
     /// The innermost name bound inside the expression.
@@ -48,7 +57,7 @@ impl<'a> Scope<'a> {
     where
         'a: 'b,
     {
-        Scope { inputs: self.inputs, local: Some(local), precision: self.precision }
+        Scope { inputs: self.inputs, local: Some(local), precision: self.precision, reach: self.reach }
     }
 
     /// `value` rounded to the precision.

@@ -7,7 +7,7 @@ use rug::Float;
 use crate::ast::Expr;
 
 use super::error::EvalError;
-use super::evaluate;
+use super::{evaluate, evaluate_reaching};
 
 /// The highest precision that is tried, in bits.
 pub const PRECISION_LIMIT: u32 = 1 << 14;
@@ -22,7 +22,8 @@ const NOISE_COUNT: u32 = 3;
 ///
 /// The precision doubles until two results in a row agree to `bits` bits, or until the result is zero: exactly, twice, or
 /// nothing but rounding noise that shrinks as the precision grows. It starts the higher, the farther the magnitudes of the
-/// inputs lie apart, lest a small input is lost beside a large one at two precisions in a row. The result has all bits of
+/// inputs lie apart, and those of functions such as `exp` from 1, lest a small number is lost beside a large one at two precisions
+/// in a row. The result has all bits of
 /// the highest precision used.
 ///
 /// # Errors
@@ -32,8 +33,13 @@ pub fn evaluate_stable(expression: &Expr, inputs: &BTreeMap<String, f64>, bits: 
     let exact: BTreeMap<String, Float> =
         inputs.iter().map(|(name, value)| (name.clone(), Float::with_val(f64::MANTISSA_DIGITS, value))).collect();
     let (low, high) = exponents(&exact);
-    let mut precision = first_precision(bits, low.abs_diff(high));
-    let mut previous = evaluate(expression, &exact, precision);
+    let spread = low.abs_diff(high);
+    let mut precision = first_precision(bits, spread);
+    let (mut previous, reach) = evaluate_reaching(expression, &exact, precision);
+    if reach > spread {
+        precision = first_precision(bits, reach);
+        previous = evaluate(expression, &exact, precision);
+    }
     let mut noise = count_noise(0, &previous, low, precision);
     while precision < PRECISION_LIMIT {
         precision *= 2;

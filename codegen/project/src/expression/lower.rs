@@ -1,11 +1,12 @@
 //! Maxima text to exact expressions: what the generator understands, and a clear word about what it does not.
 
 use super::Expr;
+use super::composed::{self, COMPOSED, composed};
 use closedform_maxima::ast::{BinaryOperator, Expr as Ast, ExprKind, UnaryOperator};
 use closedform_maxima::{Relation, exact};
-use closedform_syntax::Function;
+use closedform_syntax::{Function, FunctionDomain};
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::ops::Range;
 use thiserror::Error;
 
@@ -41,7 +42,7 @@ pub fn lower_errors(ast: &Ast) -> Vec<LowerError> {
 /// The exact expression that a Maxima expression means.
 ///
 /// # Errors
-/// When it uses what has no exact closed form of `+ - * /`, `sqrt`, `abs` and `positive_root`.
+/// When it uses what is no formula of `+ - * / ^`, the functions of the table and what is made of them.
 pub fn lower(ast: &Ast) -> Result<Expr, LowerError> {
     match &ast.kind {
         ExprKind::Integer(_) | ExprKind::Float(_) | ExprKind::BigFloat(_) => number(ast),
@@ -75,6 +76,7 @@ fn number(ast: &Ast) -> Result<Expr, LowerError> {
 fn symbol(name: &str, ast: &Ast) -> Result<Expr, LowerError> {
     match name {
         "%pi" => Ok(Expr::Pi),
+        "%e" => Ok(Expr::call(Function::Exp, Expr::integer(1))),
         _ => match remedy_of_constant(name) {
             Some(remedy) => Err(unsupported(ast, &format!("the constant `{name}`"), remedy)),
             None => Ok(Expr::symbol(name)),
@@ -86,7 +88,6 @@ fn symbol(name: &str, ast: &Ast) -> Result<Expr, LowerError> {
 #[must_use]
 pub fn remedy_of_constant(name: &str) -> Option<&'static str> {
     Some(match name {
-        "%e" => EXPONENTIAL,
         "%i" => "kernels compute real numbers: define the real and the imaginary part as a function each",
         "%phi" => "write (1+sqrt(5))/2",
         "%gamma" | "%catalan" => "only %pi is known as a constant: write its digits",
@@ -96,19 +97,20 @@ pub fn remedy_of_constant(name: &str) -> Option<&'static str> {
     })
 }
 
-/// What to do instead of a power of %e or a call of a function of its kind.
-const EXPONENTIAL: &str = "powers of %e, exp, log, sin and other functions of their kind are not known yet: compute the \
-                           value outside and make it an input, such as y for %e^x, or write a rational function that is \
-                           near enough";
+/// Whether a name is a constant that kernels know.
+#[must_use]
+pub fn is_known_constant(name: &str) -> bool {
+    ["%pi", "%e"].contains(&name)
+}
+
+/// What to do instead of a call of a function that kernels do not know yet.
+const NOT_YET: &str = "this function is not known yet: compute its value outside and make it an input";
 
 /// What to do instead of calling a function of Maxima that kernels may know one day; none for any other name.
 #[must_use]
 pub fn remedy_of_function(name: &str) -> Option<&'static str> {
-    const FUNCTIONS: [&str; 22] = [
-        "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "atan2", "sinh", "cosh",
-        "tanh", "asinh", "acosh", "atanh", "erf", "gamma", "floor", "mod",
-    ];
-    FUNCTIONS.contains(&name).then_some(EXPONENTIAL)
+    const FUNCTIONS: [&str; 8] = ["atan2", "erf", "gamma", "floor", "ceiling", "round", "signum", "mod"];
+    FUNCTIONS.contains(&name).then_some(NOT_YET)
 }
 
 fn binary(operator: BinaryOperator, left: &Ast, right: &Ast, ast: &Ast) -> Result<Expr, LowerError> {
@@ -129,16 +131,14 @@ fn binary(operator: BinaryOperator, left: &Ast, right: &Ast, ast: &Ast) -> Resul
 }
 
 fn power(base: &Ast, exponent: &Ast, ast: &Ast) -> Result<Expr, LowerError> {
-    let Some(exponent_value) = constant(&lower(exponent)?) else {
-        return Err(unsupported(
-            ast,
-            "a power with a variable exponent",
-            "only powers with constant exponents are closed forms here",
-        ));
-    };
+    let exponent = lower(exponent)?;
+    if base.as_symbol() == Some("%e") {
+        return called(Function::Exp, exponent, ast);
+    }
     let base = lower(base)?;
-    let numerator = exponent_value.numer().to_i64().filter(|n| n.abs() <= MAX_EXPONENT);
-    match (numerator, exponent_value.denom().to_i64()) {
+    let Some(exponent_value) = constant(&exponent) else { return positive_power(base, exponent, ast) };
+    let numerator = exponent_value.numer().to_i64();
+    match (numerator.filter(|_| is_of_roots(&exponent_value)), exponent_value.denom().to_i64()) {
         (Some(n), _) if n < 0 && is_zero(&base) => Err(divides_by_zero(ast)),
         (Some(0), _) if is_zero(&base) => {
             Err(unsupported(ast, "0^0", "it has no value, in Maxima either: say which one is meant"))
@@ -150,15 +150,26 @@ fn power(base: &Ast, exponent: &Ast, ast: &Ast) -> Result<Expr, LowerError> {
             let root = integer_power(called(root, base.clone(), ast)?, (n - degree * whole) as i32);
             Ok(if whole == 0 { root } else { integer_power(base, whole as i32).times(root) })
         }
-        _ => Err(unsupported(
+        _ => positive_power(base, exponent, ast),
+    }
+}
+
+/// Whether a power with this exponent is made of products and roots, so that its base may have any sign that these allow.
+#[must_use]
+pub fn is_of_roots(exponent: &BigRational) -> bool {
+    let is_small = exponent.numer().to_i64().is_some_and(|n| n.abs() <= MAX_EXPONENT);
+    is_small && exponent.denom().to_i64().is_some_and(|degree| degree == 1 || root(degree).is_some())
+}
+
+/// A power whose exponent is no number, or neither a small integer nor that of a root: of positive numbers only.
+fn positive_power(base: Expr, exponent: Expr, ast: &Ast) -> Result<Expr, LowerError> {
+    match constant(&base) {
+        Some(value) if !value.is_positive() => Err(unsupported(
             ast,
-            &format!("the exponent {exponent_value}"),
-            &format!(
-                "only exponents n/d with n up to {MAX_EXPONENT} and d = 1, {} are possible; give another root of a \
-                 polynomial as positive_root(polynomial, x)",
-                degrees()
-            ),
+            &format!("such a power of {value}"),
+            "powers with exponents that are neither small integers nor n/2 or n/3 are those of positive numbers",
         )),
+        _ => Ok(composed::power(base, exponent)),
     }
 }
 
@@ -176,26 +187,27 @@ fn divides_by_zero(divisor: &Ast) -> LowerError {
 
 /// The function of an argument; of a number that is not in its domain there is none.
 fn called(function: Function, argument: Expr, ast: &Ast) -> Result<Expr, LowerError> {
-    let sign = constant(&argument).map(|value| value.cmp(&BigRational::zero()));
-    match sign.map(|sign| function.sign(sign)) {
-        Some(None) => Err(LowerError {
-            what: "it takes the square root of a negative number, whatever its inputs are".to_owned(),
-            remedy: "correct the radicand: kernels compute real numbers".to_owned(),
+    let Some(value) = constant(&argument) else { return Ok(Expr::call(function, argument)) };
+    let holds = match function.properties().domain {
+        FunctionDomain::All => true,
+        FunctionDomain::NotNegative => !value.is_negative(),
+        FunctionDomain::Positive => value.is_positive(),
+        FunctionDomain::Unit => value.abs() <= BigRational::one(),
+    };
+    match composed::value(function, &value) {
+        _ if !holds => Err(LowerError {
+            what: format!("it takes the {} of {value}, whatever its inputs are", function.properties().noun),
+            remedy: "correct the argument: kernels compute real numbers".to_owned(),
             span: ast.span.clone(),
         }),
-        _ => Ok(Expr::call(function, argument)),
+        Some(exact) => Ok(Expr::integer(exact)),
+        None => Ok(Expr::call(function, argument)),
     }
 }
 
 /// The root of this degree, if the table has it.
 fn root(degree: i64) -> Option<Function> {
     u32::try_from(degree).ok().and_then(Function::root)
-}
-
-/// The degrees of the roots of the table, as a list.
-fn degrees() -> String {
-    let degrees = Function::ALL.into_iter().filter_map(Function::degree);
-    degrees.map(|degree| degree.to_string()).collect::<Vec<_>>().join(", ")
 }
 
 fn integer_power(base: Expr, exponent: i32) -> Expr {
@@ -220,17 +232,24 @@ fn constant(expr: &Expr) -> Option<BigRational> {
     }
 }
 
+/// Whether a name is that of a function of one number.
+#[must_use]
+pub fn is_function_of_one(name: &str) -> bool {
+    Function::in_worksheets(name).is_some() || COMPOSED.contains(&name)
+}
+
 /// Whether a function has a meaning of its own in a reference expression.
 #[must_use]
 pub fn is_known_function(name: &str) -> bool {
-    Function::in_worksheets(name).is_some() || ["max", "min", "positive_root"].contains(&name)
+    is_function_of_one(name) || ["max", "min", "positive_root"].contains(&name)
 }
 
 /// How the functions that may stand in a reference expression are written, but for `positive_root`.
 #[must_use]
 pub fn known_functions() -> String {
     let of_table = Function::ALL.map(|function| function.properties().maxima).join(", ");
-    format!("{of_table}, max(x, y, ..), min(x, y, ..)")
+    let composed = COMPOSED.map(|name| format!("{name}(x)")).join(", ");
+    format!("{of_table}, {composed}, max(x, y, ..), min(x, y, ..)")
 }
 
 fn call(ast: &Ast) -> Result<Expr, LowerError> {
@@ -239,6 +258,11 @@ fn call(ast: &Ast) -> Result<Expr, LowerError> {
     };
     if let (Some(function), [argument]) = (Function::in_worksheets(name), arguments) {
         return called(function, lower(argument)?, ast);
+    }
+    if let [argument] = arguments
+        && let Some(value) = composed(name, lower(argument)?)
+    {
+        return Ok(value);
     }
     match (name, arguments) {
         ("max" | "min", [_, _, ..]) => {

@@ -9,7 +9,8 @@ use num_bigint::BigInt;
 use num_traits::Signed;
 
 use super::super::domain::Condition;
-use crate::construct::{compared, integer, joined};
+use crate::construct::{binary, compared, integer, joined, squared};
+use crate::expression::is_of_roots;
 use number::number;
 use surds::{Clause, Decision};
 
@@ -69,6 +70,21 @@ impl Needs {
                         self.condition(radicand, Relation::GreaterOrEqual);
                     }
                 }
+                Some(("log", [argument])) => {
+                    self.collect(argument);
+                    self.condition(argument, Relation::Greater);
+                }
+                Some((name @ ("asin" | "acos" | "atanh"), [argument])) => {
+                    self.collect(argument);
+                    let rest = binary(BinaryOperator::Subtract, integer(1), squared(argument.clone()));
+                    let relation = if name == "atanh" { Relation::Greater } else { Relation::GreaterOrEqual };
+                    self.condition(&rest, relation);
+                }
+                Some(("acosh", [argument])) => {
+                    self.collect(argument);
+                    let rest = binary(BinaryOperator::Subtract, argument.clone(), integer(1));
+                    self.condition(&rest, Relation::GreaterOrEqual);
+                }
                 // the unknown of a polynomial root is no input
                 Some(("positive_root", _)) => {}
                 _ => arguments.iter().for_each(|argument| self.collect(argument)),
@@ -79,7 +95,12 @@ impl Needs {
 
     /// `base^exponent`: a half needs a radicand, a minus a denominator. Odd roots are real of all numbers.
     fn power(&mut self, base: &Expr, exponent: &Expr) {
-        let Some(exponent) = number(exponent) else { return };
+        if base.as_symbol() == Some("%e") {
+            return;
+        }
+        let Some(exponent) = number(exponent).filter(is_of_roots) else {
+            return self.condition(base, Relation::Greater);
+        };
         match (is_odd(exponent.denom()), exponent.is_negative()) {
             (false, true) => self.condition(base, Relation::Greater),
             (false, false) => self.condition(base, Relation::GreaterOrEqual),

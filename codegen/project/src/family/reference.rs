@@ -4,13 +4,15 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use closedform_maxima::{BinaryOperator, Definition, Expr, ExprKind, UnaryOperator, definitions};
-use closedform_syntax::Function;
 use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
 use super::super::contract::Contract;
 use super::super::source::{self, Text};
-use crate::expression::{LowerError, known_functions, lower_errors, remedy_of_constant, remedy_of_function};
+use crate::expression::{
+    LowerError, is_function_of_one, is_known_constant, known_functions, lower_errors, remedy_of_constant,
+    remedy_of_function,
+};
 
 /// Why a text does not hold the reference expressions of a contract.
 #[derive(Debug, Error, Diagnostic)]
@@ -246,7 +248,9 @@ impl<'a> Body<'a> {
     }
 
     fn variable(&mut self, name: &'a str, place: &Expr) {
-        let known = name == "%pi" || self.bound.contains(&name) || self.definition.parameters.iter().any(|p| p == name);
+        let known = is_known_constant(name)
+            || self.bound.contains(&name)
+            || self.definition.parameters.iter().any(|p| p == name);
         // the constants of Maxima that kernels do not know have a word of their own
         if !known && remedy_of_constant(name).is_none() {
             let (worksheet, name) = (self.definition.name.clone(), name.to_owned());
@@ -257,7 +261,7 @@ impl<'a> Body<'a> {
 
     fn call(&mut self, expression: &'a Expr) {
         match expression.as_call() {
-            Some((name, [argument])) if Function::in_worksheets(name).is_some() => self.expression(argument),
+            Some((name, [argument])) if is_function_of_one(name) => self.expression(argument),
             Some(("max" | "min", items @ [_, _, ..])) => items.iter().for_each(|item| self.expression(item)),
             Some(("positive_root", [polynomial, variable])) => self.root(polynomial, variable),
             Some((name, _)) => {

@@ -77,7 +77,7 @@ fn references_that_do_not_fit_are_pointed_at() {
         &["parameters of `v` are (tOut,x)", "inputs of its kernel are (x,tOut)"],
     );
     has(&with_reference("v(x,tOut):=x$r(x):=x+tIn$"), &["`r` contains `tIn`", "not a parameter", "^"]);
-    has(&with_reference("v(x,tOut):=x$r(x):=1+sin(x)$"), &["`r` calls `sin`", "sqrt(x), abs(x)"]);
+    has(&with_reference("v(x,tOut):=x$r(x):=1+erf(x)$"), &["`r` calls `erf`", "sqrt(x), abs(x)"]);
     has(&with_reference("v(x,tOut):=x$r(x):=[x]$"), &["`r` is not a closed form"]);
     has(&with_reference("v(x,tOut):=x$r(x):=positive_root(x^2-1,x)$"), &["`r` is not a closed form"]);
     has(&with_reference("v(x,tOut):=x$r(x):=x+$"), &["expected"]);
@@ -139,29 +139,27 @@ fn strangers_that_are_no_closed_forms_are_pointed_at() {
 
 #[test]
 fn what_no_kernel_computes_is_pointed_at_before_anything_runs() {
-    has(&stranger("f(x):=1+x^65$").unwrap_err(), &["`f`: the exponent 65", "my.mac:1:", "n up to 64 and d = 1, 2, 3"]);
-    has(&stranger("g(x):=x$ f(x):=2*x^(1/5)$").unwrap_err(), &["the exponent 1/5", "positive_root(polynomial, x)"]);
-    has(&stranger("f(x,y):=x^y$").unwrap_err(), &["a power with a variable exponent"]);
+    has(&stranger("f(x):=x*(-2)^(1/5)$").unwrap_err(), &["`f`: such a power of -2", "my.mac:1:", "positive numbers"]);
+    has(&stranger("f(x):=x*log(-2)$").unwrap_err(), &["`f`: it takes the logarithm of -2", "my.mac:1:"]);
+    has(&stranger("f(x):=x+asin(3/2)$").unwrap_err(), &["`f`: it takes the angle of 3/2", "my.mac:1:"]);
     has(
         &stranger("g(x):=x$\nf(x):=1/0+x$").unwrap_err(),
         &["`f`: it divides by zero", "my.mac:2:9", "correct the divisor"],
     );
     has(&stranger("f(x):=x+(2-2)^-1$").unwrap_err(), &["`f`: it divides by zero", "my.mac:1:9"]);
     has(&stranger("f(x):=x+1/(3*(1-1))^2$").unwrap_err(), &["`f`: it divides by zero", "my.mac:1:11"]);
-    has(&stranger("f(x):=x*sqrt(1-2)$").unwrap_err(), &["the square root of a negative number", "my.mac:1:9"]);
-    has(&stranger("f(x):=x*(-4)^(1/2)$").unwrap_err(), &["the square root of a negative number", "my.mac:1:9"]);
+    has(&stranger("f(x):=x*sqrt(1-2)$").unwrap_err(), &["the square root of -", "my.mac:1:9"]);
+    has(&stranger("f(x):=x*(-4)^(1/2)$").unwrap_err(), &["the square root of -", "my.mac:1:9"]);
     has(&stranger("f(x):=x+0^0$").unwrap_err(), &["0^0", "my.mac:1:9"]);
 }
 
 #[test]
 fn constants_and_functions_that_are_not_known_yet_say_what_can_be_done() {
     let said = |text: &str| stranger(text).unwrap_err().split_whitespace().collect::<Vec<_>>().join(" ");
-    for formula in ["f(x):=%e^x$", "f(x):=x*%e$", "f(x):=1/(1+%e^(-x))$"] {
-        let said = said(formula);
-        has(&said, &["the constant `%e`", "not known yet", "make it an input", "my.mac:1:"]);
-        assert_eq!(said.matches("help:").count(), 1, "{said}");
+    for formula in ["f(x):=%e^x$", "f(x):=x*%e$", "f(x):=1/(1+%e^(-x))$", "f(x,y):=x^y", "f(x):=sinh(x)$"] {
+        assert!(stranger(formula).is_ok(), "{formula}");
     }
-    has(&said("f(x):=exp(x)$"), &["calls `exp`", "kernels know", "not known yet", "make it an input"]);
+    has(&said("f(x):=erf(x)$"), &["calls `erf`", "kernels know", "not known yet", "make it an input"]);
     assert!(!said("f(x):=frobnicate(x)$").contains("not known yet"));
     has(&said("f(x):=%i*x$"), &["the constant `%i`", "the real and the imaginary part"]);
     has(&said("f(x):=%phi*x$"), &["(1+sqrt(5))/2"]);
@@ -185,8 +183,8 @@ fn every_mistake_of_a_worksheet_is_told_at_once() {
                 constant():=2$\n\
                 loose(x):=x+y$\n\
                 calls(x):=loose(x)+1$\n\
-                zero(x):=1/0+x^(1/5)$\n\
-                sine(x):=sin(x)$\n\
+                zero(x):=1/0+x*log(-1)$\n\
+                sine(x):=erf(x)$\n\
                 endless(x):=endless(x)$\n\
                 more(x):=good(x,1)$\n\
                 needs(x):=torn(x)$\n\
@@ -195,7 +193,7 @@ fn every_mistake_of_a_worksheet_is_told_at_once() {
     let (lines, kernels, said) = sheet(text);
     assert_eq!(lines, [2, 6, 6, 7, 8, 9, 11], "{said}");
     assert_eq!(kernels, ["good", "loose", "calls", "fine"]);
-    has(&said, &["7 mistakes", "the exponent 1/5", "divides by zero"]);
+    has(&said, &["7 mistakes", "the logarithm of -1", "divides by zero"]);
     let (_, kernels, said) = sheet("good(x):=x^2$ bad(x):=good(x$");
     assert_eq!(kernels, ["good"], "{said}");
     let (lines, kernels, said) = sheet("good(x):=x^2$ fine(x):=good(x)$");
@@ -215,8 +213,8 @@ fn a_kernel_is_whole_or_not_there() {
 
 #[test]
 fn one_cause_is_told_once() {
-    let said = stranger("f(x):=sin(x)+sin(2*x)$ g(x):=sin(x)$ h(y):=f(y)$").unwrap_err();
-    assert_eq!(said.matches("calls `sin`").count(), 1, "{said}");
+    let said = stranger("f(x):=erf(x)+erf(2*x)$ g(x):=erf(x)$ h(y):=f(y)$").unwrap_err();
+    assert_eq!(said.matches("calls `erf`").count(), 1, "{said}");
     let said = stranger("a: solve(x=1,x)$ f(y):=a*y$ g(y):=a+y$ h(x):=x$").unwrap_err();
     assert_eq!(said.matches("calls `solve`").count(), 1, "{said}");
     let many: String = (0..1000).map(|number| format!("f{number}(x):=x+sine{number}(x)$\n")).collect();

@@ -35,7 +35,7 @@ fn arity(name: &str) -> Option<fn(usize) -> bool> {
         "+" | "*" => |count| count >= 1,
         "-" => |count| count == 1 || count == 2,
         "/" | "fmin" | "fmax" | "fdim" | "hypot" | "pow" => |count| count == 2,
-        "fabs" | "sqrt" | "cbrt" | "not" => |count| count == 1,
+        "fabs" | "sqrt" | "cbrt" | "not" | "expm1" | "log1p" | "exp2" | "log2" | "log10" => |count| count == 1,
         "fma" => |count| count == 3,
         "and" | "or" => |count| count >= 1,
         "<" | ">" | "<=" | ">=" | "==" | "!=" => |count| count >= 1,
@@ -87,6 +87,13 @@ fn known(name: &str, operands: Vec<Expr>) -> Expr {
         (_, "cbrt", [x]) => {
             let third = binary(BinaryOperator::Divide, integer(1), integer(3));
             binary(BinaryOperator::Power, x.clone(), third)
+        }
+        (_, "expm1", [x]) => binary(BinaryOperator::Subtract, called("exp", vec![x.clone()]), integer(1)),
+        (_, "log1p", [x]) => called("log", vec![binary(BinaryOperator::Add, integer(1), x.clone())]),
+        (_, "exp2", [x]) => binary(BinaryOperator::Power, integer(2), x.clone()),
+        (_, "log2" | "log10", [x]) => {
+            let base = integer(if name == "log2" { 2 } else { 10 });
+            binary(BinaryOperator::Divide, called("log", vec![x.clone()]), called("log", vec![base]))
         }
         (_, "fma", [x, y, z]) => {
             let product = binary(BinaryOperator::Multiply, x.clone(), y.clone());

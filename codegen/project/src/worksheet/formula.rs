@@ -11,7 +11,7 @@ use super::evaluate::{Evaluator, PARAMETER, ROOT, is_constant};
 use super::state::{Binding, Evaluated, Refusal, State, Stop};
 use super::tree::{any, list, names, renamed, rows, symbol};
 use super::{statements, words};
-use crate::expression::remedy_of_constant;
+use crate::expression::{is_known_constant, remedy_of_constant};
 
 /// A formula of a worksheet, with all that it is made of put in.
 #[derive(Debug, Clone, PartialEq)]
@@ -175,7 +175,7 @@ fn formula(
 
 /// Whether a name stands for a number that must be given.
 fn is_input(name: &str) -> bool {
-    name != "%pi" && !is_constant(name) && remedy_of_constant(name).is_none() && !name.starts_with(ROOT)
+    !is_known_constant(name) && !is_constant(name) && remedy_of_constant(name).is_none() && !name.starts_with(ROOT)
 }
 
 /// What only Maxima can evaluate is said to be so.
