@@ -38,7 +38,6 @@ use crate::error::PlanError;
 
 /// How the time of a path is counted.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub enum Model {
     /// As controllers do: without a stop where the path allows it, by these rules.
     LookAhead(Rules),
