@@ -220,7 +220,7 @@ fn schemas_say_what_is_written_of_measurements() {
 #[test]
 fn the_schema_of_mutants_says_what_is_written() {
     let project = project();
-    let arguments = ["mutants", LISTED, "--points", "20", "--json"];
+    let arguments = ["mutants", LISTED, "--json"];
     let excused = output(project.path(), &arguments);
     fs::remove_file(project.path().join("tests/EQUIVALENT.toml")).unwrap();
     describes("mutants", &[excused, output(project.path(), &arguments)]);
