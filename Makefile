@@ -8,7 +8,7 @@ SEED ?= 1
 # how long each fuzz target runs
 SECONDS_EACH ?= 900
 
-.PHONY: run test test-all lowest-rust fuzz tools
+.PHONY: run test test-all lowest-rust minimal-versions packages fuzz tools
 
 run: tools
 	@echo "building the generator; the first time that takes some minutes, most of them for Symbolica and GMP"
@@ -19,8 +19,8 @@ test: tools
 	$(CARGO) test --package closedform-symbolica
 	PROPTEST_RNG_SEED=$(SEED) $(CARGO) test --no-fail-fast
 
-# Ten to twenty times as many points as `make test`.
-test-all: test
+# Ten to twenty times as many points as `make test`, and every package by itself.
+test-all: test packages
 	CLOSEDFORM_BUDGET=full PROPTEST_RNG_SEED=$(SEED) $(CARGO) test --no-fail-fast --package closedform-tests
 
 # The lowest Rust version that Cargo.toml claims builds everything.
@@ -29,6 +29,14 @@ lowest-rust: tools
 	rustup toolchain install $$version --profile minimal && \
 	cargo +$$version check --target-dir target/lowest-rust && \
 	cargo +$$version check --target-dir target/lowest-rust --package closedform-symbolica
+
+# The lowest versions of other people's crates that the manifests claim build what others link.
+minimal-versions:
+	.ci/minimal-versions
+
+# Every crate as it is packed, unpacked and checked by itself.
+packages: tools
+	.ci/packages
 
 # What the fuzzer finds new goes below target/, what breaks a target below fuzz/artifacts/.
 fuzz:

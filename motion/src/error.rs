@@ -2,6 +2,7 @@
 
 /// Why a plan cannot be made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PlanError {
     /// An input that no plan can use.
     #[error("{name} is {value}: {remedy}")]

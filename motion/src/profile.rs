@@ -6,6 +6,7 @@ use crate::segment::{Sample, Segment, State};
 
 /// Why segments do not make a profile.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ProfileError {
     /// No segments.
     #[error("a profile needs a segment: add one")]

@@ -43,6 +43,25 @@ pub fn complaints(file: &Source) -> Vec<String> {
     complaints
 }
 
+/// Enumerations of errors that get no further variant without breaking whoever matches them.
+pub fn closed_errors(file: &Source) -> Vec<String> {
+    let (mut complaints, mut above) = (Vec::new(), String::new());
+    for line in file.text.lines() {
+        if let Some(name) = line.strip_prefix("pub enum ") {
+            let name = name.trim_end_matches([' ', '{']);
+            let is_error = above.contains("#[derive") && above.contains("Error") || name.ends_with("Error");
+            if is_error && !above.contains("#[non_exhaustive]") {
+                complaints.push(format!("{}: `{name}` may grow: it is #[non_exhaustive]", file.path));
+            }
+        }
+        match line.is_empty() || line == "}" {
+            true => above.clear(),
+            false => above += line,
+        }
+    }
+    complaints
+}
+
 /// Whether a generated file says what made it.
 pub fn says_its_origin(text: &str) -> bool {
     let line = text.lines().next().unwrap_or_default();

@@ -29,6 +29,19 @@ fn generated_files_say_what_made_them() {
     none(files.iter().filter_map(complain).collect());
 }
 
+/// Programs are nobody's dependency, and tests are not published.
+#[test]
+fn errors_of_libraries_may_grow() {
+    let programs = ["codegen/command/", "codegen/symbolica/", "motion/src/bin/", "tests/", "fuzz/"];
+    let of_library = |file: &&Source| {
+        let source = file.path.ends_with(".rs") && file.path.contains("/src/");
+        source && !programs.iter().any(|program| file.path.starts_with(program))
+    };
+    none(workspace::files().iter().filter(of_library).flat_map(tidy::closed_errors).collect());
+    let closed = Source { path: "a.rs".into(), text: "#[derive(Debug, Error)]\npub enum Failure {\n}\n".into() };
+    assert_eq!(tidy::closed_errors(&closed).len(), 1);
+}
+
 #[test]
 fn no_crate_can_be_unsafe() {
     let lints = &workspace::manifest(".")["workspace"]["lints"]["rust"];

@@ -6,6 +6,7 @@ use thiserror::Error;
 
 /// Why kernels cannot be bound.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum BindError {
     /// No crate holds the kernels.
     #[error("no crate at {}: {cause}", folder.display())]
@@ -47,7 +48,6 @@ pub enum BindError {
         /// Which.
         path: PathBuf,
         /// Why not.
-        #[source]
         cause: std::io::Error,
     },
 }

@@ -6,6 +6,7 @@ use thiserror::Error;
 
 /// The bounds of a kernel that its text does not prove.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum BoundError {
     /// They are not derived, or others than stated.
     #[error("{}", .0.iter().map(|refusal| format!("`{}`: {}", refusal.step, refusal.reason)).collect::<Vec<_>>().join("\n"))]

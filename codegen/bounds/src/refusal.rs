@@ -79,6 +79,7 @@ pub enum Reason {
 
 /// What is not defined everywhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Undefined {
     /// A quotient, whose divisor may be zero.
     Quotient,
@@ -189,6 +190,7 @@ impl std::error::Error for Refusal {}
 
 /// Why the bounds of a source file are not proved.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum TextError {
     /// It holds what is no kernel language, or no Rust.
     Unreadable(String),

@@ -38,7 +38,7 @@ pub struct Args {
 ///
 /// When something is stale, unproved, or not what Maxima derives, or a verdict is wrong.
 pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
-    let options = options(args);
+    let options = options(args, project)?;
     if args.maxima {
         errata::check_live(&project.worksheets, &options.maxima)?;
         output::tell(&live::check(project, &options)?)?;
@@ -67,10 +67,10 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
 }
 
 /// How worksheets are run again.
-fn options(args: &Args) -> Options {
-    let mut options = Options::default();
+fn options(args: &Args, project: &Project) -> miette::Result<Options> {
+    let mut options = Options::within(&project.limits)?;
     options.maxima.allow_system |= args.allow_system;
-    options
+    Ok(options)
 }
 
 /// Every text of a kernel as checked in proves the bounds that it states.

@@ -1,6 +1,7 @@
 //! `closedform derive`: Maxima runs the worksheets; references, golden values and verdicts are written anew.
 
 use super::errata::Page;
+use super::words::counted;
 use clap::Args as ClapArgs;
 use closedform_project::Project;
 use closedform_project::derive::{Options, derive};
@@ -22,8 +23,8 @@ pub struct Args {
     /// Let worksheets start programs, touch files and run Lisp, with your rights
     #[arg(long)]
     allow_system: bool,
-    /// How many seconds of processor time each worksheet may use, 120 otherwise; CLOSEDFORM_MAXIMA_LIMIT is the same for
-    /// all commands
+    /// How many seconds of processor time each worksheet may use, instead of what CLOSEDFORM_MAXIMA_LIMIT or `maxima` in
+    /// [limits] of closedform.toml say, or 120
     #[arg(long, value_name = "SECONDS")]
     limit: Option<u64>,
 }
@@ -45,12 +46,12 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     let names = if args.families.is_empty() { family_names(&folder)? } else { args.families.clone() };
     if names.is_empty() {
         bail!(
-            help = "write a worksheet NAME.mac and its contract NAME.toml there; book/src/contract.md shows a contract",
+            help = "write a worksheet NAME.mac and its contract NAME.toml there; `closedform schema contract` says what one may hold",
             "{} holds no contract NAME.toml: there is nothing to derive",
             folder.display()
         );
     }
-    let mut options = Options::default();
+    let mut options = Options::within(&project.limits)?;
     options.maxima.allow_system |= args.allow_system;
     if let Some(seconds) = args.limit {
         options.maxima.limit = Duration::from_secs(seconds);
@@ -65,7 +66,8 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     for (name, family) in derived {
         family.write()?;
         let (expressions, values) = (family.definitions.len(), family.values.len());
-        said += &format!("{name}: {expressions} reference expressions, {values} golden values\n");
+        let (expressions, values) = (counted(expressions, "reference expression"), counted(values, "golden value"));
+        said += &format!("{name}: {expressions}, {values}\n");
         for (kernel, conditions) in &family.added {
             let conditions = conditions.join("`, `");
             notes.push(format!(

@@ -3,7 +3,7 @@
 use clap::Command;
 
 /// A command, and what one types; a test reads each.
-const EXAMPLES: [(&str, &[&str]); 13] = [
+const EXAMPLES: [(&str, &[&str]); 14] = [
     ("new", &["closedform new braking", "closedform new crates/braking --runtime version"]),
     (
         "generate",
@@ -28,6 +28,7 @@ const EXAMPLES: [(&str, &[&str]); 13] = [
     ("ledger", &["closedform ledger", "closedform ledger --json"]),
     ("mutants", &["closedform mutants", "closedform mutants turnaround::t_in"]),
     ("bound", &["closedform bound src/kernels.rs", "closedform bound src/kernels.rs --write"]),
+    ("schema", &["closedform schema contract", "closedform schema list"]),
     ("completions", &["closedform completions bash", "closedform completions fish"]),
     ("man", &["closedform man share/man/man1"]),
 ];

@@ -3,6 +3,7 @@
 mod summary;
 mod watch;
 
+use super::words::counted;
 use super::{derive, kernel_table};
 use crate::own_crate::{self, Draft, Runtime};
 use crate::worker::{self, Source};
@@ -78,7 +79,7 @@ fn derive_changed(project: &Project) -> miette::Result<()> {
 
 /// The kernels of the whole project.
 fn whole(args: &Args, project: &Project) -> miette::Result<()> {
-    let generated = worker::run(&Source::Folder(project.worksheets.clone()))?;
+    let generated = worker::run(&Source::Folder(project.worksheets.clone()), &project.limits)?;
     if generated.kernels.is_empty() {
         bail!(
             help = "write a worksheet NAME.mac of definitions `f(x,y) := ..` there; or one that derives them, with a contract \
@@ -105,8 +106,9 @@ fn whole(args: &Args, project: &Project) -> miette::Result<()> {
     notes.iter().for_each(|note| output::note(note));
     remark(&generated.kernels);
     output::note(&format!(
-        "{} kernels, all proved equal to their reference expressions, all bounds proved; {changed} files changed",
-        generated.kernels.len()
+        "{}, proved equal to reference expressions, with proved bounds; {} changed",
+        counted(generated.kernels.len(), "kernel"),
+        counted(changed, "file")
     ));
     Ok(())
 }
@@ -114,7 +116,7 @@ fn whole(args: &Args, project: &Project) -> miette::Result<()> {
 fn own_crate(args: &Args, input: &Path, out: &Path, project: &Project) -> miette::Result<()> {
     own_crate::check(out)?;
     let module = own_crate::module(input, out);
-    let generated = worker::run_sheet(input, &module.name, args.strict)?;
+    let generated = worker::run_sheet(input, &module.name, args.strict, &project.limits)?;
     let draft = Draft::new(&generated)?;
     let rows = ledger::rows(&out.join("records"), &draft.catalogue()?, args.points)?;
     output::tell(&summary::each_kernel(&generated.kernels, &rows, &[]))?;
@@ -123,8 +125,8 @@ fn own_crate(args: &Args, input: &Path, out: &Path, project: &Project) -> miette
     let runtime = args.runtime.clone().unwrap_or_default();
     let notes = own_crate::write(&draft, out, &runtime, &project.root)?;
     module.note().iter().chain(&notes).for_each(|note| output::note(note));
-    let count = generated.kernels.len();
-    output::note(&format!("{count} kernels in {}: `cargo test` there runs their judges", out.display()));
+    let count = counted(generated.kernels.len(), "kernel");
+    output::note(&format!("{count} in {}: `cargo test` there runs their judges", out.display()));
     Ok(())
 }
 

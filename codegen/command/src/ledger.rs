@@ -1,6 +1,7 @@
 //! `closedform ledger`: what every result promises, what was measured and what it costs, written to `LEDGER.csv` among the records.
 
 use super::kernel_table;
+use super::words::counted;
 use closedform_measure::catalogue::Catalogue;
 use closedform_measure::ledger::{self, Row};
 use closedform_project::Project;
@@ -29,7 +30,7 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     } else {
         output::print(&text(&rows))?
     }
-    output::note(&format!("{} results; {changed} files changed", rows.len()));
+    output::note(&format!("{}; {} changed", counted(rows.len(), "result"), counted(changed, "file")));
     Ok(())
 }
 

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use miette::miette;
 
 use super::description::{Description, with_unit};
+use super::words::counted;
 use closedform_measure::catalogue::{Catalogue, nearest};
 use closedform_project::Project;
 use closedform_system::output;
@@ -68,7 +69,7 @@ fn text(kernels: &[Description]) -> String {
         text += &wrapped("    ", inputs);
         text += &wrapped("    -> ", results);
     }
-    let _ = writeln!(text, "{} kernels", kernels.len());
+    let _ = writeln!(text, "{}", counted(kernels.len(), "kernel"));
     text
 }
 

@@ -20,8 +20,10 @@ mod mutants;
 mod new;
 mod own_crate;
 mod program;
+mod schema;
 mod show;
 mod verify;
+mod words;
 mod worker;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -59,6 +61,7 @@ enum Command {
     Mutants(mutants::Args),
     Bind(bind::Args),
     Bound(bound::Args),
+    Schema(schema::Args),
     Completions(completions::Completions),
     Man(completions::Man),
     /// Plan a move: times, peaks against limits, and the table that a controller takes
@@ -125,6 +128,7 @@ fn run(cli: Cli) -> miette::Result<ExitCode> {
         Command::Mutants(args) => mutants::run(&args, &project()?)?,
         Command::Bind(args) => bind::run(&args, &project()?)?,
         Command::Bound(args) => bound::run(&args)?,
+        Command::Schema(args) => schema::run(&args)?,
         Command::Completions(args) => completions::print(&args, command())?,
         Command::Man(args) => completions::write_manual(&args, command())?,
     }

@@ -76,7 +76,7 @@ impl Page {
         section(&mut text, "Results", results.iter().map(result_line));
         section(&mut text, "Rules", rules.iter().flat_map(|rule| self.rule_lines(rule)));
         section(&mut text, "Operations", [format!("{}, in {precision}", operations.in_words())]);
-        section(&mut text, "Derived in", source.iter().cloned());
+        section(&mut text, "Derived in", source.iter().filter(|source| !source.is_empty()).cloned());
         let _ = writeln!(text, "\nRust\n\n{}", self.rust);
         text
     }

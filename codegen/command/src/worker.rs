@@ -7,11 +7,14 @@
 mod attempt;
 
 use crate::program::{GENERATOR, ProgramError};
-use attempt::{Ending, LIMIT, attempt};
+use attempt::{Ending, attempt};
 use closedform_project::family::{Family, FamilyError, Sheet, WorksheetError, families};
 use closedform_project::generated::{Generated, would_be_fine};
+use closedform_project::layout::Limits;
+use closedform_project::maxima_process::Maxima;
+use closedform_system::limit::{KERNEL, LimitError, WAIT};
 use closedform_system::output::{note, warn};
-use closedform_system::turn::{Patience, Turn, TurnError, WAIT};
+use closedform_system::turn::{Patience, Turn, TurnError};
 use miette::{Diagnostic, Report};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -37,8 +40,8 @@ pub enum Source {
         folder: PathBuf,
         /// The kernels.
         kernels: PathBuf,
-        /// Whether the worksheets may start programs, touch files and run Lisp.
-        allow_system: bool,
+        /// What the worksheets may do.
+        maxima: Maxima,
     },
 }
 
@@ -70,7 +73,8 @@ pub enum WorkerError {
     #[error("Symbolica is in use on this machine by a program that does not share the lock of closedform")]
     #[diagnostic(help(
         "without a licence key Symbolica runs once a machine, containers and other temporary folders included: end that \
-         program, set {WAIT} to more seconds than the {seconds} that this command has waited, or set SYMBOLICA_LICENSE"
+         program, set {} to more seconds than the {seconds} that this command has waited, or set SYMBOLICA_LICENSE",
+        WAIT.setting()
     ))]
     Elsewhere {
         /// How long was waited.
@@ -91,8 +95,9 @@ pub enum WorkerError {
     /// It took too long.
     #[error("`{what}` was not made in {limit} s of processor time: nothing was generated")]
     #[diagnostic(help(
-        "split the formula into smaller ones or say more of its signs in a contract's `domain`; {LIMIT} sets how many \
-         seconds one kernel may take"
+        "split the formula into smaller ones or say more of its signs in a contract's `domain`; {} sets how many seconds \
+         one kernel may take",
+        KERNEL.setting()
     ))]
     OutOfTime {
         /// What it made.
@@ -101,15 +106,16 @@ pub enum WorkerError {
         limit: u64,
     },
     /// The limit is no number.
-    #[error("{LIMIT} is `{0}`, which is no number of seconds")]
-    #[diagnostic(help("set it to the seconds of processor time that one kernel may take"))]
-    Limit(String),
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Limit(#[from] LimitError),
     /// The families are wrong.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Family(#[from] FamilyError),
     /// The lock is taken.
     #[error(transparent)]
+    #[diagnostic(transparent)]
     Turn(#[from] TurnError),
     /// There is no generator.
     #[error(transparent)]
@@ -124,8 +130,8 @@ const PAUSE: Duration = Duration::from_secs(1);
 ///
 /// # Errors
 /// When the source is wrong, it is not our turn in time, or that process fails; it has then said why on standard error.
-pub fn run(source: &Source) -> Result<Generated, WorkerError> {
-    made_of(source, source.check()?)
+pub fn run(source: &Source, limits: &Limits) -> Result<Generated, WorkerError> {
+    made_of(source, source.check()?, limits)
 }
 
 /// As [`run`], of a worksheet, of which every formula and statement that is passed over is named; with `strict` nothing
@@ -133,34 +139,34 @@ pub fn run(source: &Source) -> Result<Generated, WorkerError> {
 ///
 /// # Errors
 /// As of [`run`], and when nothing is left, or something is passed over that must not be.
-pub fn run_sheet(worksheet: &Path, module: &str, strict: bool) -> Result<Generated, WorkerError> {
+pub fn run_sheet(worksheet: &Path, module: &str, strict: bool, limits: &Limits) -> Result<Generated, WorkerError> {
     let source = Source::Worksheet { worksheet: worksheet.to_owned(), module: module.to_owned() };
     let Sheet { family, error, summary } = Family::sheet(worksheet)?;
     let nothing = family.contract.kernels.is_empty();
     match error {
         Some(error) if nothing => Err(FamilyError::from(error).into()),
-        Some(error) if strict || error.is_of_file() => made_of(&source, Some(error)),
+        Some(error) if strict || error.is_of_file() => made_of(&source, Some(error), limits),
         _ => {
             summary.lines.iter().for_each(|line| note(line));
             match summary.passed_over {
                 passed_over @ 1.. if strict => Err(WorkerError::PassedOver { passed_over }),
-                _ => made(&source),
+                _ => made(&source, limits),
             }
         }
     }
 }
 
-fn made_of(source: &Source, refused: Option<WorksheetError>) -> Result<Generated, WorkerError> {
-    let Some(refused) = refused else { return made(source) };
+fn made_of(source: &Source, refused: Option<WorksheetError>, limits: &Limits) -> Result<Generated, WorkerError> {
+    let Some(refused) = refused else { return made(source, limits) };
     // the other formulas are tried all the same, so that one run tells everything
     warn(&format!("{:?}", Report::new(refused)));
-    Err(WorkerError::Refused { fine: made(source)?.kernels.len() })
+    Err(WorkerError::Refused { fine: made(source, limits)?.kernels.len() })
 }
 
-fn made(source: &Source) -> Result<Generated, WorkerError> {
-    let limit = attempt::limit()?;
+fn made(source: &Source, limits: &Limits) -> Result<Generated, WorkerError> {
+    let limit = KERNEL.seconds(limits.kernel)?;
     let generator = GENERATOR.find()?;
-    let patience = Patience::from_environment()?;
+    let patience = Patience::of(limits.wait)?;
     let turn = Turn::take(&patience, note)?;
     let mut tried = false;
     loop {

@@ -16,6 +16,7 @@ use closedform_project::{
 
 /// Why there is no page.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum VerdictError {
     /// A file cannot be read.
     #[error(transparent)]
@@ -78,6 +79,7 @@ fn count(mistakes: usize) -> String {
 
 /// One mistake, with its place.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum Mistake {
     /// Not TOML, or not the keys of a file of errata.
     #[error("{message}")]

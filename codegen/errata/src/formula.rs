@@ -24,6 +24,7 @@ impl Formula {
 
 /// Why a text is no formula.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum FormulaError {
     /// Maxima cannot read it.
     #[error(transparent)]

@@ -44,6 +44,7 @@ impl fmt::Display for Form {
 
 /// Why the stated verdict of a row does not stand.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum Problem {
     /// The facts say another verdict.
     #[error("the verdict is stated as `{stated}`, but the facts say {found}")]

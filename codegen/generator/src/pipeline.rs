@@ -17,6 +17,7 @@ use thiserror::Error;
 
 /// Why a family was not generated.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum PipelineError {
     /// A kernel could not be made.
     #[error("{place}: kernel `{kernel}`: {cause}")]

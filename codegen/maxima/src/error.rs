@@ -13,6 +13,7 @@ pub const DIGIT_LIMIT: usize = 10_000;
 
 /// One thing wrong with a text, where, and what to do about it.
 #[derive(Debug, Clone, PartialEq, Eq, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum Error {
     /// A character that Maxima text has no use for, often from a scan.
     #[error("unknown character `{character}`")]

@@ -15,6 +15,7 @@ pub const EXPONENT_LIMIT: i64 = 10_000;
 
 /// Why an expression has no exact value.
 #[derive(Debug, Clone, PartialEq, Eq, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum ExactError {
     /// The expression is no number literal.
     #[error("not a number")]

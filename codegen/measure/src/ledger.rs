@@ -75,6 +75,7 @@ pub struct Row {
 #[derive(Debug, Error, Diagnostic)]
 #[error(transparent)]
 #[diagnostic(transparent)]
+#[non_exhaustive]
 pub enum LedgerError {
     /// A domain cannot be sampled.
     Domain(#[from] DomainError),

@@ -49,6 +49,7 @@ pub fn search(target: &Target, known: &[Vec<Vec<f64>>], budget: Budget, seed: u6
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 #[error(transparent)]
 #[diagnostic(transparent)]
+#[non_exhaustive]
 pub enum SearchError {
     /// Its domain has no points.
     Empty(#[from] EmptyDomain),

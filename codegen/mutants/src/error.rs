@@ -13,6 +13,7 @@ use closedform_project::sample::EmptyDomain;
 
 /// Why the mutants of a kernel cannot be judged.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum MutateError {
     /// The kernels cannot be read.
     #[error(transparent)]

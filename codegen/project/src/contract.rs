@@ -114,7 +114,10 @@ pub fn load_under_any_name(path: &Path) -> Result<Contract, ContractError> {
 }
 
 fn read(path: &Path) -> Result<String, ContractError> {
-    Ok(source::read(path, "write the contract of this family; book/src/contract.md shows its format")?)
+    Ok(source::read(
+        path,
+        "correct the name, or write the contract of this worksheet; `closedform schema contract` says what it may hold",
+    )?)
 }
 
 /// Checks the text of a contract; `path` names it in errors.

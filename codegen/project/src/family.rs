@@ -47,6 +47,7 @@ pub struct Paths {
 
 /// Why there is no family.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum FamilyError {
     /// A file or folder cannot be read.
     #[error(transparent)]

@@ -37,7 +37,6 @@ pub struct WriteError {
     /// The file.
     pub path: PathBuf,
     /// Why not.
-    #[source]
     pub cause: std::io::Error,
     /// What to do about it.
     pub remedy: &'static str,

@@ -21,6 +21,7 @@ pub struct GoldenValue {
 
 /// Why there are no golden values.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum GoldenError {
     /// The file cannot be read.
     #[error(transparent)]
@@ -43,6 +44,7 @@ pub enum GoldenError {
 
 /// What can be wrong with a line.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum LineError {
     /// Not three columns.
     #[error("a golden value has three columns, separated by tabs: function, inputs, value")]

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// Why a text is no hexadecimal float.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum HexFloatError {
     /// Another form.
     #[error("`{0}` is not a hexadecimal float such as -0x1.8p-3")]

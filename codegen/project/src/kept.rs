@@ -26,6 +26,7 @@ pub struct Kept {
 
 /// Why there are no kept inputs.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum KeptError {
     /// A file or the folder cannot be read or written.
     #[error("cannot read or write {}: {cause}", path.display())]
@@ -34,7 +35,6 @@ pub enum KeptError {
         /// Which.
         path: PathBuf,
         /// Why not.
-        #[source]
         cause: io::Error,
     },
     /// A line is none.

@@ -16,6 +16,7 @@ const WORKSHEETS: &str = "maxima-ref";
 
 /// A project on disk.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Project {
     /// The folder that `closedform.toml` is in.
     pub root: PathBuf,
@@ -29,6 +30,21 @@ pub struct Project {
     pub table: Option<PathBuf>,
     /// Whether the crate of the kernels carries judges of its own.
     pub judges: bool,
+    /// What its commands may use.
+    pub limits: Limits,
+}
+
+/// Limits in seconds, where a project sets them; `closedform_system::limit` says what they are of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct Limits {
+    /// The processor time of one worksheet in Maxima.
+    pub maxima: Option<u64>,
+    /// The processor time that the algebra may take for one kernel.
+    pub kernel: Option<u64>,
+    /// How long to wait for the turn to use Symbolica.
+    pub wait: Option<u64>,
 }
 
 /// `closedform.toml` as written.
@@ -44,6 +60,8 @@ struct Written {
     table: Option<PathBuf>,
     #[serde(default = "yes")]
     judges: bool,
+    #[serde(default)]
+    limits: Limits,
 }
 
 fn worksheets() -> PathBuf {
@@ -64,6 +82,7 @@ fn yes() -> bool {
 
 /// Why there is no project.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum ProjectError {
     /// The named folder is none.
     #[error("{} is no folder", .0.display())]
@@ -76,13 +95,13 @@ pub enum ProjectError {
         /// Which.
         path: PathBuf,
         /// Why not.
-        #[source]
         cause: io::Error,
     },
     /// `closedform.toml` is wrong.
     #[error("{message}")]
     #[diagnostic(help(
-        "{FILE} may say worksheets, kernels, records and table, which are paths from its folder, and judges = false"
+        "{FILE} may say worksheets, kernels, records and table, which are paths from its folder, and judges = false; \
+         [limits] may say maxima, kernel and wait, which are whole seconds"
     ))]
     Wrong {
         /// What is wrong.
@@ -144,6 +163,7 @@ impl Project {
             records: below("records", written.records)?,
             table: written.table.map(|table| below("table", table)).transpose()?,
             judges: written.judges,
+            limits: written.limits,
         })
     }
 
@@ -203,12 +223,17 @@ mod tests {
         let project = read("kernels = \".\"\ntable = \"./docs/kernels.md\"\njudges = false").unwrap();
         assert_eq!((project.kernels.to_str(), project.judges), (Some(""), false));
         assert_eq!(project.table.unwrap().to_str(), Some("docs/kernels.md"));
+        let limits = read("[limits]\nmaxima = 600").unwrap().limits;
+        assert_eq!(limits, Limits { maxima: Some(600), ..Limits::default() });
     }
 
     #[test]
     fn what_is_wrong_has_its_place() {
         let said = |text: &str| drawn(&read(text).unwrap_err());
         has(&said("worksheets = \"a\"\nkernel = \"b\""), &["unknown field `kernel`", "closedform.toml:2:1"]);
+        has(&said("[limits]\nmaxima = \"long\""), &["expected u64", "closedform.toml:2:10", "whole seconds"]);
+        has(&said("[limits]\nkernel = -1"), &["closedform.toml:2:10", "whole seconds"]);
+        has(&said("[limits]\nmaxim = 1"), &["unknown field `maxim`", "`maxima`, `kernel`, `wait`"]);
         has(&said("judges = 1"), &["invalid type", "closedform.toml:1:10"]);
         has(&said("kernels = \"../mine\""), &["`kernels = \"../mine\"` leads out of the project"]);
         has(&said("records = \"/tmp\""), &["leads out of the project"]);

@@ -14,24 +14,21 @@ pub use error::{LostMaxima, ProcessError, Used};
 pub use guard::Reaching;
 pub use transcript::Message;
 
+use super::layout::Limits;
 use super::script::Script;
 use super::statements::statements;
+use closedform_system::limit::{self, LimitError};
 use closedform_system::scratch::Folder;
-
-/// How much processor time a worksheet may use, where nobody says more.
-pub const TIME_LIMIT: Duration = Duration::from_secs(120);
 
 /// How many times as long it may take, with whatever else the machine does.
 const PATIENCE: u32 = 20;
-
-/// The environment variable that says how many seconds of processor time a worksheet may use.
-pub const LIMIT_VARIABLE: &str = "CLOSEDFORM_MAXIMA_LIMIT";
 
 /// The environment variable that names another Maxima.
 pub const PROGRAM_VARIABLE: &str = "CLOSEDFORM_MAXIMA";
 
 /// Which Maxima runs worksheets, and for how long.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Maxima {
     /// The program.
     pub program: OsString,
@@ -46,16 +43,25 @@ pub struct Maxima {
 pub const ALLOW_SYSTEM_VARIABLE: &str = "CLOSEDFORM_ALLOW_SYSTEM";
 
 impl Default for Maxima {
-    /// `maxima`, or what `CLOSEDFORM_MAXIMA` names; and what `CLOSEDFORM_MAXIMA_LIMIT` says, if that is a number.
+    /// `maxima`, or what `CLOSEDFORM_MAXIMA` names, within the usual limit.
     fn default() -> Self {
         let program = std::env::var_os(PROGRAM_VARIABLE).unwrap_or_else(|| "maxima".into());
-        let limit = std::env::var(LIMIT_VARIABLE).ok().and_then(|seconds| seconds.trim().parse().ok());
         let allow_system = std::env::var_os(ALLOW_SYSTEM_VARIABLE).is_some();
-        Self { program, limit: limit.map_or(TIME_LIMIT, Duration::from_secs), allow_system }
+        Self { program, limit: Duration::from_secs(limit::MAXIMA.usual), allow_system }
     }
 }
 
 impl Maxima {
+    /// The usual one, within the limit of the environment or of a project.
+    ///
+    /// # Errors
+    ///
+    /// When the environment says something else than a number of seconds.
+    pub fn within(limits: &Limits) -> Result<Self, LimitError> {
+        let seconds = limit::MAXIMA.seconds(limits.maxima)?;
+        Ok(Self { limit: Duration::from_secs(seconds), ..Self::default() })
+    }
+
     /// Runs the worksheet, then the driver: Maxima statements that call `closedform_say(text)` to send a message.
     /// Nothing is written outside a temporary folder, unless the worksheet may and does.
     pub fn run(&self, worksheet: &Path, driver: &str) -> Result<Vec<Message>, ProcessError> {

@@ -17,7 +17,6 @@ pub struct ReadError {
     /// The file.
     pub path: PathBuf,
     /// Why not.
-    #[source]
     pub cause: std::io::Error,
     /// What makes the file readable.
     pub remedy: String,

@@ -5,6 +5,8 @@ use closedform_generator::pipeline::{PipelineError, all, generate, kernels_refus
 use closedform_project::derive::{DeriveError, Options, rederive};
 use closedform_project::family::{Family, FamilyError, families};
 use closedform_project::generated::{Generated, Word, would_be_fine};
+use closedform_project::layout::Limits;
+use closedform_system::limit::LimitError;
 use miette::Diagnostic;
 use rustix::process::{Signal, getpid, kill_process};
 use std::io;
@@ -44,6 +46,10 @@ pub enum WorkError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Derive(#[from] DeriveError),
+    /// How long a worksheet may run is not said.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Limit(#[from] LimitError),
     /// Kernels are no longer what the worksheets derive.
     #[error("{}", all(.0))]
     #[diagnostic(help(
@@ -101,9 +107,10 @@ fn generated(families: &[Family]) -> Result<Generated, WorkError> {
 /// Proves the kernels as checked in equal to what the worksheets derive now.
 fn rederived(folder: &Path, kernels: &Path) -> Result<(), WorkError> {
     let mut families = families(folder)?;
+    let options = Options::within(&Limits::default())?; // the command has put the limit of its project into the environment
     for family in &mut families {
         making(&family.name);
-        family.references = rederive(folder, &family.name, &Options::default())?;
+        family.references = rederive(folder, &family.name, &options)?;
     }
     let mut causes = Vec::new();
     for family in &families {

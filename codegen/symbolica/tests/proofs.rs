@@ -31,7 +31,7 @@ fn repository() -> PathBuf {
 }
 
 fn turn_of_the_machine() -> Turn {
-    let patience = Patience::from_environment().unwrap();
+    let patience = Patience::of(None).unwrap();
     Turn::take(&patience, |_| ()).unwrap()
 }
 

@@ -5,13 +5,11 @@ use std::io::{self, ErrorKind, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
+
+use miette::Diagnostic;
 use thiserror::Error;
 
-/// The environment variable that says for how many seconds to wait for a turn.
-pub const WAIT: &str = "CLOSEDFORM_WAIT";
-
-/// How many seconds to wait where it says nothing: longer than any project of this size takes.
-const USUAL_WAIT: u64 = 900;
+use crate::limit::{LimitError, WAIT};
 
 /// The right to use Symbolica. It ends when all processes that hold the lock file have ended or dropped it, so the process
 /// that uses Symbolica shall hold it too.
@@ -30,14 +28,16 @@ pub struct Patience {
 }
 
 /// Why it is not our turn.
-#[derive(Debug, Error)]
+#[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum TurnError {
     /// Another process holds the lock.
-    #[error(
-        "another closedform command is doing algebra on this machine ({holder}lock {path})\n\
-         Symbolica without a licence key runs once a machine: wait until that command has finished, then run this one \
-         again, or set {WAIT} to more seconds than the {seconds} that this one has waited"
-    )]
+    #[error("another closedform command is doing algebra on this machine ({holder}lock {path})")]
+    #[diagnostic(help(
+        "Symbolica without a licence key runs once a machine: wait until that command has finished, then run this one \
+         again, or set {} to more seconds than the {seconds} that this one has waited",
+        WAIT.setting()
+    ))]
     Busy {
         /// Who holds it, with a comma, if that is known.
         holder: String,
@@ -47,28 +47,27 @@ pub enum TurnError {
         seconds: u64,
     },
     /// The lock file cannot be opened.
-    #[error("cannot open the lock file {path}: {cause}\nmake the folder writable or point TMPDIR to one that is")]
+    #[error("cannot open the lock file {path}: {cause}")]
+    #[diagnostic(help("make the folder writable, or point TMPDIR to one that is"))]
     Lock {
         /// The lock file.
         path: PathBuf,
         /// What the system said.
         cause: io::Error,
     },
-    /// The environment variable is no number.
-    #[error("{WAIT} is `{0}`, which is no number of seconds: set it to one, 0 if this command shall not wait")]
-    Patience(String),
+    /// How long to wait cannot be read.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Patience(#[from] LimitError),
 }
 
 impl Patience {
-    /// What the environment asks for, from now on.
+    /// What the environment asks for, else what the project says, from now on.
     ///
     /// # Errors
-    /// When it asks for something else than a number of seconds.
-    pub fn from_environment() -> Result<Self, TurnError> {
-        let asked = std::env::var_os(WAIT).map(|text| text.to_string_lossy().into_owned());
-        let seconds =
-            asked.map_or(Ok(USUAL_WAIT), |text| text.trim().parse().map_err(|_| TurnError::Patience(text)))?;
-        Ok(Self { start: Instant::now(), seconds })
+    /// When the environment asks for something else than a number of seconds.
+    pub fn of(project: Option<u64>) -> Result<Self, LimitError> {
+        Ok(Self { start: Instant::now(), seconds: WAIT.seconds(project)? })
     }
 
     /// How many seconds it has.

@@ -13,6 +13,7 @@ use crate::segment::{Segment, State};
 
 /// In which language constants are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Language {
     /// Statics for `closedform_player::Player::new`.
     Rust,

@@ -2,6 +2,7 @@
 
 /// Why a plan does not become what a controller takes.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ExportError {
     /// Scalings that are not those of the axes.
     #[error("there are {found} numbers of counts for {axes} axes: give one for all, or one an axis, none of them 0")]

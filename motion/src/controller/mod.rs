@@ -43,6 +43,7 @@ use points::Points;
 
 /// What a controller takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Form {
     /// A motion program of a PMAC.
     Pmac,

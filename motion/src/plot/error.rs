@@ -2,6 +2,7 @@
 
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum PlotError {
     /// There is nothing to see.
     #[error("there is nothing to draw: {what}")]

@@ -34,6 +34,7 @@ const MOST_MEETINGS: usize = 40;
 
 /// What a panel shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Panel {
     /// The second axis over the first.
     Path,

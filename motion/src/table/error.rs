@@ -2,6 +2,7 @@
 
 /// Why a table cannot be written or read. Rows are counted from 1, after the header.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum TableError {
     /// Times do not grow.
     #[error("row {row}: its time {time} s does not come after {before} s: times must grow from row to row")]

@@ -38,6 +38,7 @@ fn open(project: &Project, family: &Family) -> miette::Result<Vec<PipelineError>
 
 fn text(kernels: usize, left: &[String]) -> String {
     match left {
+        [] if kernels == 1 => "equal: the kernel is what its references say\n".to_owned(),
         [] => format!("equal: all {kernels} kernels are what their references say\n"),
         _ => format!(
             "equal: {} of {kernels} kernels are what their references say; `closedform check --prove` proves the others:\n  {}\n",

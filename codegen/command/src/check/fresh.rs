@@ -40,7 +40,7 @@ pub fn check(project: &Project) -> miette::Result<()> {
 ///
 /// When a kernel cannot be made or proved, or a file differs.
 pub fn regenerate(project: &Project) -> miette::Result<()> {
-    let generated = worker::run(&Source::Folder(project.worksheets.clone()))?;
+    let generated = worker::run(&Source::Folder(project.worksheets.clone()), &project.limits)?;
     let files = Draft::new(&generated)?.whole(project.judges)?;
     let differences = folder::compare(&project.generated(), &files).into_diagnostic()?;
     let wrong: Vec<String> = differences.iter().map(|difference| describe(project, difference)).collect();

@@ -38,7 +38,7 @@ pub fn check(project: &Project, options: &Options) -> miette::Result<String> {
 /// When one is not proved.
 pub fn prove(project: &Project, options: &Options) -> miette::Result<()> {
     let (folder, kernels) = (project.worksheets.clone(), project.generated());
-    worker::run(&Source::Rederived { folder, kernels, allow_system: options.maxima.allow_system })?;
+    worker::run(&Source::Rederived { folder, kernels, maxima: options.maxima.clone() }, &project.limits)?;
     Ok(())
 }
 

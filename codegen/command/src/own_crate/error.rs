@@ -66,7 +66,6 @@ pub enum OwnCrateError {
         /// The file or folder.
         path: PathBuf,
         /// Why not.
-        #[source]
         cause: std::io::Error,
     },
     /// No runtime to depend on.

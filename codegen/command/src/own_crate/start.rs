@@ -6,6 +6,7 @@ use std::path::Path;
 use super::place;
 use super::runtime::{BUILD, RUNTIME};
 use super::{OwnCrateError, Runtime, name, text, workspace};
+use crate::schema;
 
 /// What is made of the example's worksheet, for the crate and for the project; a test makes them anew.
 const CRATE: [(&str, &str); 4] = [
@@ -21,6 +22,10 @@ const PROJECT: [(&str, &str); 5] = [
     ("maxima-ref/braking.tsv", include_str!("../../example/braking.tsv")),
     ("records/LEDGER.csv", include_str!("../../example/LEDGER.csv")),
 ];
+
+/// What editors check its TOML files by; the first lines of those name them.
+const SCHEMAS: [(&str, &str); 2] =
+    [("schema/contract.schema.json", schema::CONTRACT), ("schema/project.schema.json", schema::PROJECT)];
 
 /// How the project is laid out.
 struct Layout {
@@ -66,6 +71,9 @@ pub fn start(folder: &Path, runtime: &Runtime) -> miette::Result<Vec<String>> {
     }
     if enclosing.is_none() {
         place::create(folder, "Cargo.toml", text::WORKSPACE)?;
+    }
+    for (path, text) in SCHEMAS {
+        place::create(folder, path, text)?;
     }
     place::create(folder, "README.md", &text::project_readme(&name.package))?;
     place::create(folder, "Makefile", text::MAKEFILE)?;

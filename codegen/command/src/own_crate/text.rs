@@ -72,7 +72,8 @@ pub(super) const WORKSPACE: &str = "[workspace]\nresolver = \"3\"\nmembers = [\"
 /// `closedform.toml`.
 pub(super) fn project(kernels: &str) -> String {
     format!(
-        "# A project of closedform: where its parts are, from this folder.\n\
+        "#:schema ./schema/project.schema.json\n\
+         # A project of closedform: where its parts are, from this folder.\n\
          worksheets = \"maxima-ref\" # the derivations, their contracts, and what Maxima made of them\n\
          kernels = \"{kernels}\"       # the crate; only its src/generated/ is written\n\
          records = \"records\"       # what was measured: the ledger, the worst inputs\n"

@@ -4,6 +4,7 @@ use super::{Source, WorkerError};
 use crate::bar::progress_bar;
 use closedform_project::generated::{Generated, Word};
 use closedform_project::maxima_process::ALLOW_SYSTEM_VARIABLE;
+use closedform_system::limit::MAXIMA;
 use closedform_system::output::warn;
 use closedform_system::processor::time_of;
 use closedform_system::turn::Turn;
@@ -14,12 +15,6 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
-
-/// The environment variable that says how many seconds of processor time one kernel may take.
-pub(super) const LIMIT: &str = "CLOSEDFORM_LIMIT";
-
-/// Where it says nothing: far more than any known kernel takes.
-const USUAL_LIMIT: u64 = 900;
 
 /// What Symbolica says where another process of the machine uses it, before it aborts.
 const REFUSAL: &str = "Cannot start new unlicensed Symbolica instance";
@@ -45,12 +40,6 @@ struct Heard {
     notice: Vec<String>,
     /// It has said that another process uses it.
     refused: bool,
-}
-
-/// How many seconds of processor time one kernel may take.
-pub(super) fn limit() -> Result<u64, WorkerError> {
-    let asked = std::env::var_os(LIMIT).map(|text| text.to_string_lossy().into_owned());
-    asked.map_or(Ok(USUAL_LIMIT), |text| text.trim().parse().map_err(|_| WorkerError::Limit(text)))
 }
 
 /// Runs the worker once; `quiet`: what Symbolica prints was shown before.
@@ -104,10 +93,11 @@ fn start(generator: &Path, source: &Source, turn: &Turn) -> io::Result<Child> {
         Source::Worksheet { worksheet, module } => {
             generator.arg("--worksheet").arg(worksheet).arg("--module").arg(module)
         }
-        Source::Rederived { folder, kernels, allow_system } => {
-            if *allow_system {
+        Source::Rederived { folder, kernels, maxima } => {
+            if maxima.allow_system {
                 generator.env(ALLOW_SYSTEM_VARIABLE, "1");
             }
+            generator.env(MAXIMA.variable, maxima.limit.as_secs().to_string());
             generator.arg("--folder").arg(folder).arg("--kernels").arg(kernels)
         }
     };

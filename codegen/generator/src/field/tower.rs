@@ -36,6 +36,7 @@ pub struct Element {
 
 /// Why an expression has no canonical form.
 #[derive(Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum TowerError {
     /// A quotient by zero.
     #[error("divides by an expression that is zero everywhere")]

@@ -16,6 +16,7 @@ use thiserror::Error;
 
 /// What of a domain is not proved.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum Gap {
     /// A condition of the contract that the text does not ask for.
     #[error("`{0}` is not required, and does not follow from what is")]

@@ -8,6 +8,7 @@ use thiserror::Error;
 
 /// Why no kernel can be made.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum KernelError {
     /// A reference expression uses what the generator does not know.
     #[error("{0}")]

@@ -22,6 +22,7 @@ const WAYS: usize = 1 << 10;
 
 /// Why a kernel is not proved.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum ProofError {
     /// The kernel computes something else.
     #[error("the Rust text of `{0}` is not equal to its reference expression `{1}`")]

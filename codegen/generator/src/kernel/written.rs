@@ -16,6 +16,7 @@ use thiserror::Error;
 
 /// Why a formula cannot be taken step by step.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum WrittenError {
     /// It uses what the generator does not know.
     #[error(transparent)]

@@ -7,6 +7,7 @@ use thiserror::Error;
 
 /// Why an expression has no value, and where.
 #[derive(Debug, Clone, PartialEq, Eq, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum EvalError {
     /// A name that no input gives a value to.
     #[error("`{name}` has no value")]

@@ -17,6 +17,7 @@ pub struct Reference {
 
 /// Why a kernel has no reference.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum ReferenceError {
     /// The kernel does not say what it computes.
     #[error("the kernel `{kernel}` states no Maxima definition to compare with")]

@@ -9,6 +9,7 @@ use closedform_project::ReadError;
 
 /// Why a kernel is not found.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum CatalogueError {
     /// A file or folder cannot be read.
     #[error(transparent)]

@@ -13,6 +13,7 @@ use super::names::RustNameError;
 
 /// Why there is no contract.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum ContractError {
     /// The file cannot be read.
     #[error(transparent)]
@@ -44,10 +45,11 @@ fn count(mistakes: usize) -> String {
 
 /// One mistake in a contract, with its place.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum Mistake {
     /// Not TOML, or not the tables and keys of a contract.
     #[error("{message}")]
-    #[diagnostic(help("book/src/contract.md shows a contract with every key it may have"))]
+    #[diagnostic(help("`closedform schema contract` describes every key that a contract may have"))]
     Toml {
         /// What the TOML reader says.
         message: String,

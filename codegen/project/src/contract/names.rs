@@ -78,6 +78,7 @@ const LONGEST_MODULE: usize = 64;
 
 /// Why a name cannot be used in generated Rust.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum RustNameError {
     /// Not `snake_case`.
     #[error("is not a snake_case name")]

@@ -5,10 +5,13 @@ use super::error::DeriveError;
 use super::reply::Reply;
 use crate::contract::Contract;
 use crate::family::Paths;
+use crate::layout::Limits;
 use crate::maxima_process::Maxima;
+use closedform_system::limit::LimitError;
 
 /// How golden values are made.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Options {
     /// Which Maxima.
     pub maxima: Maxima,
@@ -21,6 +24,17 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Self { maxima: Maxima::default(), points: 24, seed: 0x636c_6f73_6564 }
+    }
+}
+
+impl Options {
+    /// The usual ones, within the limits of the environment or of a project.
+    ///
+    /// # Errors
+    ///
+    /// When the environment says no limit.
+    pub fn within(limits: &Limits) -> Result<Self, LimitError> {
+        Ok(Self { maxima: Maxima::within(limits)?, ..Self::default() })
     }
 }
 

@@ -16,6 +16,7 @@ use super::super::source::ReadError;
 
 /// Why nothing was derived.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum DeriveError {
     /// A file cannot be read.
     #[error(transparent)]
@@ -143,6 +144,7 @@ impl DeriveError {
 
 /// Why an expression has no value at a point.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum PointFailure {
     /// Division by zero, or no root.
     #[error("the expression has no value")]

@@ -6,6 +6,7 @@ use thiserror::Error;
 
 /// Why a text is no condition.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum ConditionError {
     /// Not Maxima.
     #[error("the domain condition cannot be read: {message}")]

@@ -30,6 +30,7 @@ pub struct ReferenceError {
 
 /// One mistake in reference expressions, with its place.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum ReferenceMistake {
     /// The text is not Maxima.
     #[error(transparent)]

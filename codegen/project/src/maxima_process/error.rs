@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use closedform_system::limit::MAXIMA;
 use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
@@ -11,6 +12,7 @@ use super::guard::Reaching;
 
 /// Why Maxima did not derive anything.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum ProcessError {
     /// The worksheet cannot be read.
     #[error(transparent)]
@@ -105,6 +107,7 @@ pub enum ProcessError {
 
 /// The time that was too much.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum Used {
     /// All the processor time that it may use.
     #[error("in {} s of processor time", limit.as_secs_f64())]
@@ -129,19 +132,21 @@ pub enum Used {
 }
 
 impl Used {
-    fn remedy(&self) -> &'static str {
+    fn remedy(&self) -> String {
         match self {
-            Self::Waiting { .. } => "remove from the worksheet what sleeps or waits for something",
-            _ => {
-                "simplify the statement, or look for a loop that never ends; `closedform derive --limit` or the \
-                 environment variable CLOSEDFORM_MAXIMA_LIMIT sets how many seconds of processor time a worksheet may use"
-            }
+            Self::Waiting { .. } => "remove from the worksheet what sleeps or waits for something".to_owned(),
+            _ => format!(
+                "simplify the statement, or look for a loop that never ends; `closedform derive --limit`, {} sets how many \
+                 seconds of processor time a worksheet may use",
+                MAXIMA.setting()
+            ),
         }
     }
 }
 
 /// Why there was no Maxima.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum LostMaxima {
     /// No such program.
     #[error("there is no such program")]

@@ -10,6 +10,7 @@ use crate::source::{ReadError, Text};
 
 /// Why a file gives no text.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum ScriptError {
     /// The file cannot be read.
     #[error(transparent)]
@@ -40,7 +41,6 @@ pub enum ScriptError {
         /// The file.
         path: PathBuf,
         /// Why not.
-        #[source]
         cause: DocumentError,
     },
     /// A cell with a comment or string that it does not close.

@@ -22,6 +22,7 @@ const MOST_PARTS: usize = 100_000;
 
 /// Why a file is no document.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum DocumentError {
     /// No archive, or a damaged one.
     #[error("the zip archive is damaged: {0}")]
@@ -34,7 +35,7 @@ pub enum DocumentError {
     Method(u16),
     /// Its bytes are not those that were put in.
     #[error("{CONTENT} does not unpack: {0}")]
-    Damaged(#[source] std::io::Error),
+    Damaged(std::io::Error),
     /// A bomb.
     #[error("{CONTENT} has more than {} MiB", LARGEST >> 20)]
     TooLarge,

@@ -355,7 +355,7 @@ fn substituted(equations: &Expr, value: &Expr, in_turn: bool, span: &Range<usize
 
 /// What to do where Maxima must compute.
 pub(crate) const COMPUTE: &str = "a worksheet that computes needs Maxima: write a contract NAME.toml beside it, run `closedform derive \
-                                  --folder DIR NAME`, and then this command again; book/src/contract.md shows a contract";
+                                  --folder DIR NAME`, and then this command again; `closedform schema contract` says what one holds";
 
 fn is_free(name: &str) -> bool {
     !name.starts_with([super::evaluate::PARAMETER, super::evaluate::ROOT, '%'])

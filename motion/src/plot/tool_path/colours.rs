@@ -4,6 +4,7 @@ use crate::plot::theme::Theme;
 
 /// What the colour of a path says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Colouring {
     /// The largest speed of each move.
     #[default]

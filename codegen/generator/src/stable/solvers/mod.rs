@@ -21,6 +21,7 @@ pub struct Equation {
 
 /// Why a solver cannot be used.
 #[derive(Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum RootError {
     /// The signs of the coefficients do not show one root.
     #[error(

@@ -31,6 +31,7 @@ pub struct WorksheetError {
 
 /// One mistake in a worksheet, with its place.
 #[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
 pub enum WorksheetMistake {
     /// The text is not Maxima.
     #[error(transparent)]

@@ -4,6 +4,7 @@ use crate::plan::milling::{Machine, Rules};
 
 /// A family of controllers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Dialect {
     /// RS274/NGC: variables, expressions, O-words.
     LinuxCnc,

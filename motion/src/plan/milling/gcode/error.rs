@@ -4,6 +4,7 @@ use crate::error::PlanError;
 
 /// What is the matter with a line.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Problem {
     /// Text that is no G-code.
     #[error("`{text}` is not G-code that can be read: correct it")]
@@ -180,6 +181,7 @@ pub struct Notice {
 
 /// Why a G-code file has no time.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum GcodeError {
     /// The input ends in the middle, or is not there.
     #[error("line {line} cannot be read: {source}")]
