@@ -33,7 +33,7 @@ const FEW: &str = "few_roundings = true\n";
 const ONE_DIVISION: &str = "few_roundings = false\none_division = true\n";
 
 /// Where conditions hold.
-pub const USED: [Case; 55] = [
+pub const USED: [Case; 56] = [
     used("compensated", "", &["?*a*b-c*d"], (0.51, 4)),
     used("compensated", POSITIVE, &["?*a^2*b-c"], (0.51, 4)),
     // never positive
@@ -52,6 +52,8 @@ pub const USED: [Case; 55] = [
     used("cube-quotient", "a > 0;b > 0", &["(a*b)^(1/3)-a^(2/3)-b^(2/3)"], (4.01, 5)),
     used("differences-first", "c > 0", &["?*a/c-?*b/c-d"], (2.01, 5)),
     used("differences-first", "c > 0;d > 0", &["?*a*c-?*b*c-d"], (0.51, 4)),
+    // never positive, and turned with its differences
+    used("differences-first", "c > 0;d > 0;?*a*c > ?*b*c+d", &["?*a*c-?*b*c-d"], (0.51, 4)),
     // plain steps in differences
     used("differences-first", "", &["(a-b)^4+3*(a-b)^2+?"], (0.51, 9)),
     used("differences-first", "", &["-?*(a-b)^4-3*(a-b)^2-5"], (0.51, 11)),
