@@ -1,4 +1,16 @@
 //! Canonical forms: closed forms as elements of a tower of square and cube roots over rational functions.
+//!
+//! Radicals may depend on each other without being seen to: the cube roots of `q + sqrt(d)` and `q - sqrt(d)` have the
+//! product `cbrt(q^2 - d)`, and the square root of `2 + sqrt(3)` is `(sqrt(6) + sqrt(2))/2`. Polynomials in radicals are
+//! then no field: one that is not zero may have the value zero. Nothing wrong follows from that.
+//!
+//! - What is zero here has the value zero: radicals fulfil all that they are reduced by. So forms that are equal have
+//!   equal values, and forms that are not prove nothing: a formula is refused then.
+//! - What divides has another value than zero. A quotient is multiplied above and below with conjugates until its
+//!   denominator is a polynomial in the inputs and pi, which depend on nothing: only the zero polynomial has the value
+//!   zero everywhere. The denominator is the product of the divisor and of every conjugate, so one of these that has the
+//!   value zero makes it the zero polynomial, and the quotient is refused, by the loop's end at the latest.
+//! - Signs are those of values, given those of the inputs: a norm has the value of a product, whatever that is.
 
 mod cube;
 mod square;
@@ -38,8 +50,8 @@ pub struct Element {
 #[derive(Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum TowerError {
-    /// A quotient by zero.
-    #[error("divides by an expression that is zero everywhere")]
+    /// A quotient by zero, or by a sum of roots whose conjugate is zero.
+    #[error("divides by an expression that is zero everywhere, or whose roots depend on each other")]
     DivisionByZero,
     /// More radicals than the ring has room for.
     #[error("has more than {SPARE} different roots and named parts")]
@@ -292,7 +304,7 @@ impl Tower {
     /// The reciprocal.
     ///
     /// # Errors
-    /// When the element is zero.
+    /// When the element has the value zero, or one of its conjugates has.
     pub fn reciprocal(&self, a: &Element) -> Result<Element, TowerError> {
         self.quotient(&a.denominator, &a.numerator)
     }
@@ -313,7 +325,7 @@ impl Tower {
     /// A quotient of polynomials in inputs and radicals, in canonical form.
     ///
     /// # Errors
-    /// When the denominator is zero.
+    /// When the denominator has the value zero, or one of its conjugates has.
     pub fn quotient(&self, numerator: &Polynomial, denominator: &Polynomial) -> Result<Element, TowerError> {
         let mut numerator = self.reduce(numerator);
         let mut denominator = self.reduce(denominator);

@@ -1,8 +1,8 @@
 //! Towers: a canonical form has the value of its expression, and equal expressions have one form.
 
-use super::values::{ALGEBRA, BITS, agree, cases, float, positive_point, real_value};
+use super::values::{ALGEBRA, BITS, agree, cases, float, positive_point, rational, real_value};
 use closedform_generator::algebra::Var;
-use closedform_generator::field::{Element, Sign, Tower};
+use closedform_generator::field::{Element, Sign, Tower, TowerError};
 use closedform_project::expression::Expr;
 use closedform_syntax::Function;
 use num_rational::BigRational;
@@ -36,6 +36,37 @@ fn positive(depth: u32) -> BoxedStrategy<Expr> {
         ]
     })
     .boxed()
+}
+
+/// Roots of which those in a row depend on each other, which the tower does not see.
+const DEPENDENT: [&[&str]; 3] = [
+    // Cardano's pair, and its product
+    &["(x+sqrt(y))^(1/3)", "(x-sqrt(y))^(1/3)", "(x^2-y)^(1/3)", "(x+sqrt(y))^(1/3)*(x-sqrt(y))^(1/3)"],
+    // a root of a sum of roots, the sum that it is, and roots above them
+    &["sqrt(2+sqrt(3))", "(sqrt(6)+sqrt(2))/2", "(y+sqrt(2+sqrt(3))-(sqrt(6)+sqrt(2))/2)^(1/3)", "y^(1/3)"],
+    &["sqrt(x+y+2*sqrt(x*y))", "sqrt(x)+sqrt(y)", "sqrt(x)"],
+];
+
+/// Two differences of such.
+fn dependent() -> impl Strategy<Value = [Expr; 2]> {
+    let of_row = |row: &'static [&'static str]| {
+        let root = prop::sample::select(row).prop_map(read);
+        let sum = (root.clone(), root, 1_i64..3).prop_map(|(a, b, n)| a.minus(Expr::integer(n).times(b)));
+        (sum.clone(), sum).prop_map(|(a, b)| [a, b])
+    };
+    prop::sample::select(&DEPENDENT[..]).prop_flat_map(of_row)
+}
+
+/// Points where nothing of that is zero by chance; at one of them a radicand is negative.
+const APART: [[(i64, i64); 2]; 2] = [[(17, 5), (23, 7)], [(3, 11), (29, 13)]];
+
+fn read(text: &str) -> Expr {
+    closedform_project::expression::lower(&closedform_maxima::parse_expression(text).unwrap()).unwrap()
+}
+
+/// What is zero is so but for rounding.
+fn is_zero(value: &Float) -> bool {
+    value.clone().abs() < 1e-60
 }
 
 /// Differences of such, of which nobody knows the sign.
@@ -129,18 +160,68 @@ proptest! {
         let element = tower.canonical(&expr).unwrap();
         let value = value_of(&expr, &at);
         let sign = tower.sign(&element);
-        // what is zero is so but for rounding
-        let sign_of_value = if value.clone().abs() < 1e-60 { Sign::ZERO } else if value.is_sign_negative() { Sign::NEGATIVE } else { Sign::POSITIVE };
-        prop_assert!(sign_of_value.is(sign), "{value} is not {sign}");
+        prop_assert!(sign_of_value(&value).is(sign), "{value} is not {sign}");
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(60))]
+
+    #[test]
+    fn what_depends_on_itself_is_not_taken_for_something_else([a, b] in dependent(), at in prop::sample::select(&APART[..])) {
+        let mut tower = tower();
+        let at = at.map(|(over, under)| rational(over, under));
+        let [a_value, b_value] = [&a, &b].map(|expr| value_of(expr, &at));
+        let Ok(form) = tower.canonical(&a) else { return Ok(()) };
+        let sign = tower.sign(&form);
+        prop_assert!(sign_of_value(&a_value).is(sign), "{a_value} is not {sign}: {a:?}");
+        prop_assert!(!form.numerator.is_zero() || is_zero(&a_value), "{a:?} is no zero");
+        match tower.canonical(&a.clone().over(b.clone())) {
+            Ok(_) if is_zero(&b_value) => prop_assert!(false, "divides by zero: {b:?}"),
+            Ok(quotient) => {
+                let (found, expected) = (value_of_element(&tower, &quotient, &at), a_value / b_value);
+                prop_assert!(agree(&found, &expected, &Float::with_val(BITS, 1)), "{found} for {expected}: {a:?} over {b:?}");
+            }
+            Err(refused) => prop_assert_eq!(refused, TowerError::DivisionByZero),
+        }
+    }
+}
+
+fn sign_of_value(value: &Float) -> Sign {
+    if is_zero(value) {
+        Sign::ZERO
+    } else if value.is_sign_negative() {
+        Sign::NEGATIVE
+    } else {
+        Sign::POSITIVE
+    }
+}
+
+/// Zeros that the tower does not see as such: nothing is divided by them, nor by what is zero with them.
+#[test]
+fn a_zero_of_dependent_roots_divides_nothing() {
+    let pair = "(x+sqrt(y))^(1/3)*(x-sqrt(y))^(1/3)-(x^2-y)^(1/3)";
+    let nested = "sqrt(2+sqrt(3))-(sqrt(6)+sqrt(2))/2";
+    for zero in [pair, nested, "sqrt(x+y+2*sqrt(x*y))-sqrt(x)-sqrt(y)"] {
+        let mut tower = tower();
+        let form = tower.canonical(&read(zero)).unwrap();
+        assert!(!form.numerator.is_zero(), "{zero} is seen");
+        assert!(Sign::ZERO.is(tower.sign(&form)), "{zero} has a sign");
+        for above in [
+            zero.to_owned(),
+            format!("sqrt(x+{zero})-sqrt(x)"),
+            format!("(y+{zero})^(1/3)-y^(1/3)"),
+            format!("sqrt(1+sqrt(x+{zero}))-sqrt(1+sqrt(x))"),
+        ] {
+            let quotient = tower.canonical(&read(&format!("1/({above})")));
+            assert_eq!(quotient, Err(TowerError::DivisionByZero), "{above}");
+        }
     }
 }
 
 #[test]
 fn roots_of_squares_and_products_of_roots_are_seen() {
-    let form = |tower: &mut Tower, text: &str| {
-        let parsed = closedform_maxima::parse_expression(text).unwrap();
-        tower.canonical(&closedform_project::expression::lower(&parsed).unwrap())
-    };
+    let form = |tower: &mut Tower, text: &str| tower.canonical(&read(text));
     for (one, other) in [
         ("sqrt(x^2+2*x*y+y^2)", "x+y"),
         ("sqrt(6)/sqrt(3)", "sqrt(2)"),

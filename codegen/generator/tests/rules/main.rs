@@ -2,10 +2,15 @@
 //! the formula at random points, within the bound in `f64`; where the condition does not hold it is refused, or decided by
 //! the steps.
 
+mod cases;
+mod steps;
+
+use cases::{Case, POSITIVE, REFUSED, USED, case};
 use closedform::Mpfr;
 use closedform_generator::algebra::{Algebra, Sparse};
 use closedform_generator::kernel::make;
 use closedform_generator::pipeline::generate;
+use closedform_generator::program::{Cost, cost};
 use closedform_generator::rust::{KernelText, ModuleText, print_module};
 use closedform_generator::stable::strategy::ALL;
 use closedform_maxima::Definition;
@@ -23,164 +28,15 @@ const BITS: u32 = 800;
 /// How often each formula is tried with other coefficients.
 const TRIES: usize = 3;
 
-/// Formulas of a, b, c and d, with a number in place of `?`, one a result.
-struct Case {
-    rule: &'static str,
-    domain: &'static str,
-    options: &'static str,
-    formulas: &'static [&'static str],
-}
-
-const fn case(rule: &'static str, domain: &'static str, formulas: &'static [&'static str]) -> Case {
-    Case { rule, domain, options: "few_roundings = false\n", formulas }
-}
-
-const fn with(options: &'static str, case: Case) -> Case {
-    Case { options, ..case }
-}
-
-const POSITIVE: &str = "a > 0;b > 0;c > 0;d > 0";
-const FEW: &str = "few_roundings = true\n";
-const ONE_DIVISION: &str = "few_roundings = false\none_division = true\n";
-
-/// Where conditions hold.
-const USED: [Case; 48] = [
-    case("compensated", "", &["?*a*b-c*d"]),
-    case("compensated", POSITIVE, &["?*a^2*b-c"]),
-    case("conjugate", "a >= 0;b > 0", &["sqrt(?*a+b)-sqrt(?*a)"]),
-    case("conjugate", POSITIVE, &["(sqrt(a^2+?*b)-a)/c"]),
-    case("cube-conjugate", POSITIVE, &["(?*a+b)^(1/3)-(?*a)^(1/3)"]),
-    case("cube-conjugate", "a > 0;b > 0", &["(a*b)^(2/3)-?*a"]),
-    case("cube-conjugate", "a < 0;b > 0", &["?*a^(1/3)+b^(1/3)"]),
-    case("cube-quotient", "a # b", &["1/(a^(1/3)-b^(1/3))"]),
-    case("cube-quotient", "a > 0;b < 0", &["c/((?*a)^(1/3)-b^(1/3))"]),
-    case("differences-first", "c > 0", &["?*a/c-?*b/c-d"]),
-    case("differences-first", "c > 0;d > 0", &["?*a*c-?*b*c-d"]),
-    case("distributed", POSITIVE, &["3*a*(5*b*sqrt(c)+c)"]),
-    with(FEW, case("double-double", POSITIVE, &["a*b/sqrt(?*a+b*c)"])),
-    case("factored", "a # b", &["(a^3-3*b*a^2+3*b^2*a-b^3)/(a-b)"]),
-    case("factored", "a > 0", &["?*a*b+?*a*c"]),
-    case("monotone-newton", POSITIVE, &["positive_root(x^3+?*a*x-b,x)"]),
-    case("monotone-newton", POSITIVE, &["positive_root(c*x^4+?*a*x^2-b*x-d,x)"]),
-    case("fused", POSITIVE, &["(?*a+b)*(b+c)*(c+d)/((a+c)*(b+d))"]),
-    case("known-sum", "b > 0;a+b > 0", &["2*a+(2*?+3)*b"]),
-    case("merge-cubes", "b # 0", &["(?*a*c^2/(4*%pi^2*b))^(1/3)"]),
-    case("merge-cubes", "a # 0", &["?*(a*b)^(1/3)/a"]),
-    case("merge-cubes", POSITIVE, &["a^(1/3)*(b+?*c)^(2/3)"]),
-    case("merge-cubes", "a # 0", &["c*a^(1/3)/a"]),
-    case("merge-cubes", "", &["a*3^(1/3)/3"]),
-    // above the bar, where a may be 0
-    case("merge-cubes", "", &["?*a*(a*b)^(1/3)"]),
-    // a radicand with a root, which would cancel
-    case("merge-cubes", POSITIVE, &["(sqrt(a^2+?*b)-a)^(2/3)*(c*d)^(1/3)"]),
-    case("merge-roots", POSITIVE, &["sqrt(sqrt(a^2+?*b)-a)*sqrt(c)/c"]),
-    case("merge-roots", POSITIVE, &["sqrt(a)*(sqrt(c)+?*b)/a"]),
-    case("merge-roots", "a # 0;b > 0", &["?*sqrt(a^2*b)/a^2"]),
-    // magnitudes that the root and the denominator have, the denominator, neither
-    case("merge-roots", "a*b > 0;a # 0;b # 0", &["?*abs(a)*sqrt(a*b)/a^2"]),
-    case("merge-roots", "a # 0;b > 0;c > 0", &["?*abs(a)*sqrt(b)*sqrt(c)/a^2"]),
-    case("merge-roots", "b > 0;c > 0", &["?*abs(a)*sqrt(b)*sqrt(c)*a^2"]),
-    // whole radicands below the bar, with a constant, with a square, and half of one
-    case("merge-roots", "a+b > 0", &["sqrt(3*a+3*b)/(a+b)"]),
-    case("merge-roots", "a # b;c+d > 0", &["sqrt((a-b)^2*(c+d))/((a-b)^2*(c+d))"]),
-    case("merge-roots", POSITIVE, &["?*sqrt((a+b)*(c+d))/(a+b)"]),
-    case("merge-roots", "a > 0;b > 0", &["?*sqrt(a)*sqrt(b)/a"]),
-    case("merge-roots", "a+b > 0", &["?*sqrt(a+b)/(a+b)"]),
-    with(ONE_DIVISION, case("one-reciprocal", POSITIVE, &["?*a/(b*c^2)", "(a+?)/(b^3*c)"])),
-    case("same-sign-radicand", "a > 0;b > 0;c > 0;12*c > 4*a^2+6*a*b", &["(sqrt(9*b^2-12*a*b+4*a^2+96*c)-3*b-6*a)/?"]),
-    case("sign-branch", "b > 0", &["sqrt(a^2+?*b)-a"]),
-    case("sign-branch", "b > 0", &["1/(sqrt(?*a^2+b)+a)"]),
-    case("sign-branch", "b # 0", &["a^(1/3)+?*b"]),
-    case("through-result", POSITIVE, &["(sqrt(b^2+2*a*c)-b)/c", "sqrt(b^2+2*a*c)-b"]),
-    // both terms may be 0, and then so is the sum below the bar
-    case("sign-branch", "a >= 0;b >= 0", &["sqrt(?*a)-sqrt(b)"]),
-    case("sign-branch", "a >= 0;b >= 0", &["(?*a)^(1/3)-b^(1/3)"]),
-    case("sign-branch", "", &["a^(1/3)-(?*b)^(1/3)"]),
-    // the norm is 0
-    case("sign-branch", "", &["abs(a)-a"]),
-    case("certified", POSITIVE, &["?+max(a,2*b)"]),
-];
-
-/// Where they do not: what the rule would make of these is wrong, cancels, or is not worth it.
-const REFUSED: [Case; 38] = [
-    // the terms agree in sign
-    case("compensated", POSITIVE, &["?*a*b+c*d"]),
-    // the terms of the root's sum agree in sign
-    case("conjugate", "a >= 0;b > 0", &["sqrt(?*a+b)+sqrt(?*a)"]),
-    // both terms may vanish together, and with them the sum below the bar
-    case("conjugate", "a >= 0;b >= 0", &["sqrt(?*a)+sqrt(b)"]),
-    // the terms agree in sign
-    case("cube-conjugate", POSITIVE, &["(?*a+b)^(1/3)+(?*a)^(1/3)"]),
-    case("cube-conjugate", "a < 0;b < 0", &["?*a^(1/3)+b^(1/3)"]),
-    // the difference stands below the bar, which canonical forms free of it
-    case("cube-conjugate", POSITIVE, &["1/((a+?*b)^(1/3)-a^(1/3))"]),
-    // three terms, two of which stand against one
-    case("cube-conjugate", POSITIVE, &["a^(1/3)+b^(1/3)-?*c^(1/3)"]),
-    // the terms agree in sign
-    case("cube-quotient", "a > b;b > 0", &["1/(a^(1/3)-b^(1/3))"]),
-    // the term in the middle is a square, and the product is one of those around it
-    case("cube-quotient", "a > 0;b # 0;c > 0", &["a^2*c^(2/3)+?*a*b*c+?^2*b^2*c*c^(1/3)"]),
-    // these three terms are no squares with a product
-    case("cube-quotient", POSITIVE, &["a^(2/3)-?*(a*b)^(1/3)+b^(2/3)+c"]),
-    // h is left of a + h and b + h
-    case("differences-first", "c > 0", &["5*a/c-7*b/c-d"]),
-    // the factor has either sign, and so have the terms: their sum may be of terms of other signs than that of the formula
-    case("distributed", "b > 0;c > 0", &["3*(a-d)*(5*b*sqrt(c)+c)"]),
-    // a bound that is small enough
-    case("double-double", POSITIVE, &["a*b/sqrt(?*a+b*c)"]),
-    case("factored", POSITIVE, &["a^2+?*b"]),
-    // no contract asks for few roundings, and they are few
-    case("fused", POSITIVE, &["?*a+b*c"]),
-    // the domain does not give the sign of the sum
-    case("known-sum", "b > 0;a-b > 0", &["?*a+7*b"]),
-    case("known-sum", "b > 0", &["?*a+7*b"]),
-    case("known-sum", "b > 0;a+b # 0", &["?*a+7*b"]),
-    // each root stands alone
-    case("merge-cubes", POSITIVE, &["a^(1/3)+?*b^(1/3)"]),
-    // a square root is no cube root
-    case("merge-cubes", POSITIVE, &["?*sqrt(a)*sqrt(b)"]),
-    // each root stands alone
-    case("merge-roots", POSITIVE, &["sqrt(?*a)+sqrt(b)"]),
-    // below the root of a quotient, a would lose its sign
-    case("merge-roots", "a*b > 0;a # 0", &["?*sqrt(a*b)/a"]),
-    // no contract asks for it
-    case("one-reciprocal", POSITIVE, &["?*a/(b*c^2)", "(a+?)/(b^3*c)"]),
-    // there is but one quotient
-    with(ONE_DIVISION, case("one-reciprocal", POSITIVE, &["?*a/(b*c^2)", "a+b"])),
-    // the norm is positive: a^2 - n would cancel
-    case("same-sign-radicand", "a > 0;b > 0;a^2 > ?*b", &["a-sqrt(a^2-?*b)"]),
-    // the root has a coefficient: its radicand is another part of the norm
-    case("same-sign-radicand", "a > 0;b > 0", &["a*sqrt(b^2-2*a*b+3*a^2)-b*a-?*a"]),
-    case(
-        "same-sign-radicand",
-        "a > 0;b > 0;c > 0;128*c > 11*a^2+30*a*b-9*b^2",
-        &["(2*sqrt(9*b^2-12*a*b+4*a^2+96*c)-3*b-7*a)/?"],
-    ),
-    // the sign is known
-    case("sign-branch", "a > 0;b > 0", &["sqrt(a^2+?*b)-a"]),
-    case("sign-branch", "a < 0;b > 0", &["sqrt(a^2+?*b)-a"]),
-    // the root that they share is no square root
-    case("through-result", POSITIVE, &["((b^3+2*a*c)^(1/3)-b)/c", "(b^3+2*a*c)^(1/3)-b"]),
-    case("through-result", POSITIVE, &["((b^3+?*a*c)^(1/3)-b)/c", "(b^3+?*a*c)^(2/3)-b^2"]),
-    // there are two roots
-    case("through-result", POSITIVE, &["sqrt(d)+a", "(sqrt(b^2+?*a*c)-b)/c", "sqrt(b^2+?*a*c)-b+sqrt(d)"]),
-    // a = u - ?*b would be of a factor of the relation that the result does not fulfil where a is negative
-    case("through-result", "b > 0", &["abs(a)+?*b", "abs(a)"]),
-    // u - d cancels
-    case("through-result", POSITIVE, &["sqrt(b^2+?*c)+d", "sqrt(b^2+?*c)"]),
-    // b in the denominator would become a difference in u that cancels
-    case("through-result", "a > 0;b > 0;c > 0;b # c", &["sqrt(b^2+2*?*a*c)+b", "(sqrt(b^2+2*?*a*c)-b)/(c-b)"]),
-    // another root
-    case("through-result", POSITIVE, &["(sqrt(b^2+?*a*c)-b)/c", "sqrt(b^2+?*a*d)-b"]),
-    // no sum of the direct form cancels and there is nothing to take from it
-    case("through-result", POSITIVE, &["(sqrt(b^2+?*a*c)-b)/c", "a+b"]),
-    case("certified", POSITIVE, &["a*b-?*c*d"]),
-];
-
 /// Small numbers without a pattern: Knuth's linear congruential generator MMIX.
 struct Numbers(u64);
 
 impl Numbers {
+    /// Those of a case do not depend on the others.
+    fn of(case: &Case) -> Self {
+        Self(case.formulas.concat().bytes().map(u64::from).sum())
+    }
+
     fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         2 + (self.0 >> 33) % 11
@@ -213,15 +69,17 @@ impl Case {
     }
 }
 
-/// The kernel of a family and its text, without a proof: what rules do wrong is left in it. What has no stable form goes
-/// through the pipeline, which takes it as it is written.
-fn kernel_of(family: &Family) -> (Kernel, String) {
+/// The kernel of a family, its text and its steps, without a proof: what rules do wrong is left in it. What has no stable
+/// form goes through the pipeline, which takes it as it is written.
+fn kernel_of(family: &Family) -> (Kernel, String, Option<KernelText>) {
     let contract = family.completed(&family.contract.kernels[0]);
-    let text = match make(ALGEBRA, &family.contract, &contract, &references(family)) {
-        Ok(made) => text_of(&made),
+    let made = make(ALGEBRA, &family.contract, &contract, &references(family));
+    let text = match &made {
+        Ok(made) => text_of(made),
         Err(_) => generate(ALGEBRA, std::slice::from_ref(family), |_| ()).unwrap().files.remove("made.rs").unwrap(),
     };
-    (parse_file(&text).unwrap_or_else(|cause| panic!("{cause}\n{text}")).remove(0), text)
+    let kernel = parse_file(&text).unwrap_or_else(|cause| panic!("{cause}\n{text}")).remove(0);
+    (kernel, text, made.ok())
 }
 
 fn text_of(kernel: &KernelText) -> String {
@@ -309,13 +167,22 @@ fn uses(kernel: &Kernel, rule: &str) -> bool {
     kernel.meta.rules.iter().any(|name| name == rule)
 }
 
+/// The largest bound of a result, and how many operations all of them take.
+fn worth(kernel: &Kernel, made: Option<&KernelText>) -> (f64, usize) {
+    let bound = kernel.meta.results.iter().filter_map(|result| result.bound).fold(0.0, f64::max);
+    let Cost { additions, multiplications, divisions, roots, double_double } =
+        made.map(|made| cost(&made.graph, &made.program.outputs)).unwrap_or_default();
+    (bound, additions + multiplications + divisions + roots + double_double)
+}
+
 /// What is wrong with the rules in these cases.
 fn complaints(cases: &[Case], used: bool) -> Vec<String> {
-    let (mut complaints, mut numbers) = (Vec::new(), Numbers(1));
+    let mut complaints = Vec::new();
     for case in cases {
+        let mut numbers = Numbers::of(case);
         for _ in 0..TRIES {
             let family = case.family(numbers.next());
-            let (kernel, text) = kernel_of(&family);
+            let (kernel, text, made) = kernel_of(&family);
             let formulas: Vec<String> = references(&family).iter().map(ToString::to_string).collect();
             let mut complain = |what: String| complaints.push(format!("{}, {formulas:?}: {what}\n{text}", case.rule));
             if uses(&kernel, case.rule) != used {
@@ -323,6 +190,16 @@ fn complaints(cases: &[Case], used: bool) -> Vec<String> {
             }
             if used && case.rule != "sign-branch" && uses(&kernel, "sign-branch") {
                 complain("a sign is decided that is known".to_owned());
+            }
+            let worth = worth(&kernel, made.as_ref());
+            if worth.0 > case.worth.0 || worth.1 > case.worth.1 {
+                complain(format!("its bound and operations are {worth:?}, not {:?}", case.worth));
+            }
+            if let Some(made) = &made {
+                let wrong = points(&family)
+                    .iter()
+                    .find_map(|point| steps::wrong_sign(&made.graph, &made.program.outputs, point));
+                wrong.into_iter().for_each(&mut complain);
             }
             match has_the_values(&kernel, &text, &family) {
                 Ok(checked) if checked < 10 => complain(format!("only {checked} values")),
