@@ -5,6 +5,8 @@
 
 mod arrays;
 mod calls;
+mod closed;
+mod differentiate;
 mod effects;
 mod evaluate;
 mod formula;
@@ -12,6 +14,7 @@ mod numbers;
 mod state;
 mod statements;
 mod tree;
+mod wanted;
 mod words;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -19,12 +22,16 @@ use std::ops::Range;
 
 use closedform_maxima::{BinaryOperator, Error, Expr, ExprKind, Statement, mentions, parse_what_can_be};
 
+pub(crate) use calls::COMPUTE;
+pub(crate) use closed::closed;
 use evaluate::Evaluator;
 pub(crate) use formula::Formula;
 use formula::Outcome;
 pub(crate) use state::Refusal;
 use state::{Binding, State, Stop};
 pub(crate) use statements::spelt;
+pub(crate) use wanted::{Wanted, is_about_numbers, wanted};
+pub(crate) use words::{is_loading, is_package};
 
 /// What a worksheet comes to.
 #[derive(Debug, Default)]
@@ -96,6 +103,7 @@ impl Run {
         }
         self.harvest(&[]);
         self.reading.inlined = self.evaluator.used;
+        self.reading.passed.append(&mut self.evaluator.absent);
         self.reading.formulas.sort_by_key(|formula| formula.span.start);
         self.reading
     }
@@ -223,7 +231,7 @@ fn passed_over(statement: &Expr) -> Option<String> {
         ExprKind::If { .. } => Some("a condition".to_owned()),
         ExprKind::Call { .. } => {
             let (name, _) = statement.as_call()?;
-            let quiet = name == "define" || (words::is_obeyed(name) && name != "load");
+            let quiet = name == "define" || words::is_obeyed(name) || words::is_loading(name) || name == ":lisp";
             (!quiet).then(|| format!("a call of `{name}`"))
         }
         _ => None,

@@ -50,9 +50,11 @@ pub fn lower(ast: &Ast) -> Result<Expr, LowerError> {
         ExprKind::Unary { operator: UnaryOperator::Plus, operand } => lower(operand),
         ExprKind::Binary { operator, left, right } => binary(*operator, left, right, ast),
         ExprKind::Call { .. } => call(ast),
-        ExprKind::If { .. } => {
-            Err(unsupported(ast, "an `if`", "define one function for each case, each with its own domain"))
-        }
+        ExprKind::If { .. } => Err(unsupported(
+            ast,
+            "an `if`",
+            "branches are not known yet: define one function for each case, each with its own domain",
+        )),
         _ => Err(unsupported(ast, "this", "write a formula of + - * / ^ sqrt abs and numbers")),
     }
 }

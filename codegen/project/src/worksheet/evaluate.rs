@@ -28,6 +28,8 @@ pub(super) struct Evaluator {
     pub(super) subscripts: arrays::Names,
     /// Names whose values were put into something.
     pub(super) used: BTreeSet<String>,
+    /// Files that are loaded and not at hand, in words.
+    pub(super) absent: Vec<(String, Range<usize>)>,
     /// The functions being called, outermost first, each with the number of undecided conditions around it.
     open: Vec<(String, usize)>,
     /// How many conditions around the current place are not decided.
@@ -39,8 +41,8 @@ pub(super) struct Evaluator {
 
 impl Evaluator {
     pub(super) fn new(state: State, files: BTreeMap<String, String>, subscripts: arrays::Names) -> Self {
-        let used = BTreeSet::new();
-        Self { state, files, subscripts, used, open: Vec::new(), undecided: 0, depth: 0, size: 0, roots: 0 }
+        let (used, absent) = (BTreeSet::new(), Vec::new());
+        Self { state, files, subscripts, used, absent, open: Vec::new(), undecided: 0, depth: 0, size: 0, roots: 0 }
     }
 
     /// Begins another formula.
@@ -211,6 +213,13 @@ impl Evaluator {
                 }
             }
             (ExprKind::Subscript { array, indices }, _) => self.assign_element(array, indices, &value, span)?,
+            (ExprKind::List(_), _) => {
+                let what = "the parts of what only Maxima can compute";
+                let because = Refusal::new(what, super::calls::COMPUTE, span);
+                let whole = binary(BinaryOperator::Assign, target.clone(), target.clone(), span);
+                Effects::of(&whole, &self.state).apply(&mut self.state, &because);
+                return Err(because.into());
+            }
             _ => return Err(self.sweep("assigns to what cannot be known", span)),
         }
         Ok(value)
@@ -229,7 +238,14 @@ impl Evaluator {
             };
             let what = "a function of subscripts, whose values depend on what was computed before";
             let because = Refusal::new(what, "define a function of arguments instead: `f(i,x):=..`", span);
-            if let Some(name) = name {
+            if let ExprKind::Subscript { array, indices } = &head.kind
+                && let Some(name) = array.as_symbol()
+                && let Some(parameters) = indices.iter().map(|index| index.as_symbol().map(str::to_owned)).collect()
+            {
+                let function =
+                    Function { parameters: Ok(parameters), body: Rc::new(body), is_macro, span: span.clone() };
+                self.state.arrays.insert(name.to_owned(), Rc::new(function));
+            } else if let Some(name) = name {
                 self.state.forget_value(name, &because);
                 self.state.forget_function(name, &because);
             }
@@ -338,9 +354,17 @@ impl Evaluator {
     /// Whether one of the functions being called, from this one on, has an `if` that could end it.
     fn decides(&self, start: usize) -> bool {
         self.open[start..].iter().any(|(name, _)| {
+            if self.state.arrays.contains_key(name) {
+                return true; // an element with a value ends it
+            }
             let body = self.state.functions.get(name).map(|function| &function.body);
             body.is_some_and(|body| any(body, &|part| matches!(part.kind, ExprKind::If { .. })))
         })
+    }
+
+    /// Whether what is done here is done whatever the inputs are.
+    pub(super) fn is_decided(&self) -> bool {
+        self.undecided == 0
     }
 
     /// A place that is not evaluated: what it may change is unknown from here on.

@@ -104,6 +104,11 @@ fn marked(name: &str, span: &Range<usize>) -> Expr {
     symbol(&format!("{PARAMETER}{name}"), span)
 }
 
+/// A value in which parameters are told from other names.
+pub(super) fn marked_in(value: &Expr, parameters: &[String]) -> Expr {
+    renamed(value, &|name| parameters.iter().any(|parameter| parameter == name).then(|| format!("{PARAMETER}{name}")))
+}
+
 fn as_lambda(value: &Rc<Expr>) -> Option<Vec<String>> {
     let ("lambda", [parameters, ..]) = value.as_call()? else { return None };
     list(parameters)?.iter().map(|name| name.as_symbol().map(str::to_owned)).collect()
@@ -114,7 +119,13 @@ fn is_word(value: &Expr) -> bool {
     matches!(value.kind, ExprKind::Symbol(_) | ExprKind::String(_))
 }
 
-fn outcome(name: &str, parameters: Vec<String>, value: Evaluated, span: &Range<usize>, state: &State) -> Outcome {
+pub(super) fn outcome(
+    name: &str,
+    parameters: Vec<String>,
+    value: Evaluated,
+    span: &Range<usize>,
+    state: &State,
+) -> Outcome {
     let value = match value {
         Ok(value) | Err(Stop::Return(value)) => value,
         Err(Stop::Refused(because)) => return Outcome::Refused(because),
@@ -193,7 +204,7 @@ fn computing(name: &str, value: &Expr) -> Result<(), Refusal> {
     found.map_or(Ok(()), Err)
 }
 
-fn find(expression: &Expr, told: &mut dyn FnMut(&Expr)) {
+pub(super) fn find(expression: &Expr, told: &mut dyn FnMut(&Expr)) {
     told(expression);
     super::tree::parts(expression).into_iter().for_each(|part| find(part, told));
 }
