@@ -80,7 +80,7 @@ fn options(args: &Args) -> Options {
 /// Whether what is to be derived is a file, not the name of a family.
 fn is_worksheet(path: &Path) -> bool {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
-    ending.is_some_and(|ending| DERIVABLE.contains(&ending.as_str())) && path.is_file()
+    ending.is_some_and(|ending| DERIVABLE.contains(&ending.as_str()))
 }
 
 /// How the names of worksheets end that Maxima may run.

@@ -139,18 +139,20 @@ pub fn run(source: &Source) -> Result<Generated, WorkerError> {
 /// # Errors
 /// As of [`run`], and when nothing is left, or something is passed over that must not be.
 pub fn run_sheet(worksheet: &Path, module: &str, strict: bool) -> Result<Generated, WorkerError> {
-    let (worksheet_path, module) = (worksheet.to_owned(), module.to_owned());
-    let source = Source::Worksheet { worksheet: worksheet_path, module, strict, except: BTreeSet::new() };
+    let source = |strict| {
+        let (worksheet, module) = (worksheet.to_owned(), module.to_owned());
+        Source::Worksheet { worksheet, module, strict, except: BTreeSet::new() }
+    };
     let Sheet { family, error, summary } = Family::sheet(worksheet)?;
     let nothing = family.contract.kernels.is_empty();
     match error {
         Some(error) if nothing => Err(FamilyError::from(error).into()),
-        Some(error) if strict || error.is_of_file() => made_of(&source, Some(error)),
+        Some(error) if strict || error.is_of_file() => made_of(&source(true), Some(error)),
         _ => {
             summary.lines.iter().for_each(|line| note(line));
             match summary.passed.len() {
                 passed_over @ 1.. if strict => Err(WorkerError::PassedOver { passed_over }),
-                _ => made(&source),
+                _ => made(&source(strict)),
             }
         }
     }

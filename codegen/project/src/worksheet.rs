@@ -6,6 +6,7 @@
 mod arrays;
 mod calls;
 mod closed;
+mod conditions;
 mod differentiate;
 mod effects;
 mod evaluate;
@@ -104,7 +105,7 @@ impl Run {
         self.harvest(&[]);
         self.reading.inlined = self.evaluator.used;
         self.reading.passed.append(&mut self.evaluator.absent);
-        self.reading.formulas.sort_by_key(|formula| formula.span.start);
+        formula::refuse_clashes(&mut self.reading);
         self.reading
     }
 
@@ -119,7 +120,7 @@ impl Run {
             }
             Err(Stop::Return(value)) => value,
         };
-        if let Some(lost) = lost(&statement) {
+        if let Some(lost) = lost(&statement, &self.evaluator.files) {
             self.harvest(&lost);
         }
         self.note_definitions(&statement);
@@ -180,7 +181,7 @@ impl Run {
 }
 
 /// The names that lose what they stand for in a statement, whose formulas must be made before; an empty list for all.
-fn lost(statement: &Expr) -> Option<Vec<String>> {
+fn lost(statement: &Expr, files: &BTreeMap<String, String>) -> Option<Vec<String>> {
     let kills =
         |part: &Expr| part.as_call().is_some_and(|(name, _)| ["kill", "remvalue", "remfunction"].contains(&name));
     if let Some((_, names)) = statement.as_call().filter(|_| kills(statement)) {
@@ -188,8 +189,16 @@ fn lost(statement: &Expr) -> Option<Vec<String>> {
         let each = names.filter(|names| !names.iter().any(|name| ["all", "values", "functions"].contains(name)));
         return Some(each.unwrap_or_default().into_iter().map(str::to_owned).collect());
     }
-    let loads =
-        |part: &Expr| part.as_call().is_some_and(|(name, _)| words::is_loading(name) || words::is_sweeping(name));
+    let is_at_hand = |file: &Expr| match &file.kind {
+        ExprKind::String(name) | ExprKind::Symbol(name) => files.contains_key(name),
+        _ => false,
+    };
+    let loads = |part: &Expr| {
+        let call = part.as_call();
+        call.is_some_and(|(name, arguments)| {
+            words::is_sweeping(name) || words::is_loading(name) && arguments.iter().any(is_at_hand)
+        })
+    };
     tree::any(statement, &|part| kills(part) || loads(part)).then(Vec::new)
 }
 

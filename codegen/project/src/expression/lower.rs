@@ -235,6 +235,9 @@ pub fn known_functions() -> String {
     format!("{of_table}, max(x, y, ..), min(x, y, ..)")
 }
 
+/// What is said before the name of a function that is not known.
+pub const UNKNOWN_FUNCTION: &str = "unknown function ";
+
 fn call(ast: &Ast) -> Result<Expr, LowerError> {
     let Some((name, arguments)) = ast.as_call() else {
         return Err(unsupported(ast, "this call", "write a formula of + - * / ^ sqrt abs and numbers"));
@@ -259,7 +262,7 @@ fn call(ast: &Ast) -> Result<Expr, LowerError> {
             span: ast.span.clone(),
         }),
         _ => Err(LowerError {
-            what: format!("unknown function `{name}`"),
+            what: format!("{UNKNOWN_FUNCTION}`{name}`"),
             remedy: format!(
                 "known are {} and positive_root(polynomial, x); define any other function in the worksheet",
                 known_functions()

@@ -3,7 +3,8 @@
 mod lower;
 
 pub use lower::{
-    LowerError, is_known_function, known_functions, lower, lower_errors, remedy_of_constant, remedy_of_function,
+    LowerError, UNKNOWN_FUNCTION, is_known_function, known_functions, lower, lower_errors, remedy_of_constant,
+    remedy_of_function,
 };
 
 use closedform_maxima::parse_expression;

@@ -15,9 +15,10 @@ use super::super::domain::Domain;
 use super::super::script::Script;
 use super::super::source;
 use super::super::worksheet;
-use super::{Family, FamilyError, Paths};
+use super::{Family, FamilyError, Paths, natural_domain};
 use crate::beside::beside;
 use crate::worksheet::Formula;
+use closedform_maxima::Definition;
 use judged::{Judged, Sound, assumptions_of};
 pub use mistake::{WorksheetError, WorksheetMistake};
 pub use summary::{Passed, Summary};
@@ -74,6 +75,17 @@ pub(super) fn load(path: &Path) -> Result<Sheet, FamilyError> {
     let mut contract = contract.unwrap_or_else(|| contract_of(&file_name(path), &judged.reading.formulas));
     let (sound, mistakes) = judged.against(&contract);
     let Sound { kernels, references, mut summary } = sound;
+    for kernel in &kernels {
+        let own = |reference: &&Definition| kernel.results.iter().any(|result| result.worksheet == reference.name);
+        let bodies = references.iter().filter(own).map(|reference| &reference.body);
+        let open: Vec<String> = bodies.flat_map(|body| natural_domain::left_open(body, &kernel.inputs)).collect();
+        if !open.is_empty() {
+            let (name, open) = (&kernel.name, open.join("`, `"));
+            summary
+                .lines
+                .push(format!("`{name}` needs `{open}` too, which is left open: it is no condition of its domain"));
+        }
+    }
     if is_derived {
         let note = format!("the formulas are those that Maxima derived: {}", paths.reference.display());
         summary.lines.insert(0, note);

@@ -3,7 +3,7 @@
 use closedform_maxima::ast::Quoting;
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, parse_what_can_be};
 
-use super::formula::{Outcome, find, marked_in, outcome};
+use super::formula::{Outcome, find, marked_in, outcome, refuse_clashes};
 use super::state::{Refusal, State};
 use super::tree::list;
 use super::{Reading, words};
@@ -35,6 +35,7 @@ pub(crate) fn closed(text: &str) -> Reading {
             Outcome::Refused(because) => reading.refused.push((name, because)),
         }
     }
+    refuse_clashes(&mut reading);
     reading
 }
 

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::rc::Rc;
 
-use closedform_maxima::ast::{Branch, Quoting};
+use closedform_maxima::ast::Quoting;
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, print};
 
 use super::effects::Effects;
@@ -33,7 +33,7 @@ pub(super) struct Evaluator {
     /// The functions being called, outermost first, each with the number of undecided conditions around it.
     open: Vec<(String, usize)>,
     /// How many conditions around the current place are not decided.
-    undecided: usize,
+    pub(super) undecided: usize,
     depth: usize,
     size: usize,
     roots: usize,
@@ -258,51 +258,6 @@ impl Evaluator {
         });
         let function = Function { parameters, body: Rc::new(body), is_macro, span: span.clone() };
         self.state.functions.insert(name.to_owned(), Rc::new(function));
-    }
-
-    /// `if`: what numbers decide is decided; else both sides stay.
-    fn condition(&mut self, branches: &[Branch], otherwise: Option<&Expr>, span: &Range<usize>) -> Evaluated {
-        let mut kept: Vec<Branch> = Vec::new();
-        let mut last = None;
-        for Branch { condition, value } in branches {
-            let condition = self.value(condition)?;
-            match numbers::decided(&condition) {
-                Some(false) => {}
-                Some(true) => {
-                    last = Some(value);
-                    break;
-                }
-                None => {
-                    let value = self.under_condition(value, span)?;
-                    kept.push(Branch { condition, value });
-                }
-            }
-        }
-        match (kept.is_empty(), last.or(otherwise)) {
-            (true, Some(value)) => self.value(value),
-            (true, None) => Ok(symbol("false", span)),
-            (false, value) => {
-                let otherwise = value.map(|value| self.under_condition(value, span)).transpose()?.map(Box::new);
-                Ok(Expr::new(ExprKind::If { branches: kept, otherwise }, span.clone()))
-            }
-        }
-    }
-
-    /// A value that counts under a condition only: what it changes is not known afterwards.
-    fn under_condition(&mut self, value: &Expr, span: &Range<usize>) -> Evaluated {
-        let earlier = self.state.clone();
-        self.undecided += 1;
-        let found = self.value(value);
-        self.undecided -= 1;
-        let because = Refusal::new("it depends on an `if`", "write it as a function without `if`", span);
-        self.state.doubt(earlier, &because);
-        match found {
-            Err(Stop::Return(_)) => {
-                let what = "`return` under a condition that only its inputs decide";
-                Err(Refusal::new(what, "write the block as one `if` with a value on each side", &value.span).into())
-            }
-            other => other,
-        }
     }
 
     /// Calls a function of the worksheet.

@@ -1,5 +1,6 @@
 //! Formulas made of what names stand for: their inputs, results and conditions.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -10,7 +11,7 @@ use super::calls::COMPUTE;
 use super::evaluate::{Evaluator, PARAMETER, ROOT, is_constant};
 use super::state::{Binding, Evaluated, Refusal, State, Stop};
 use super::tree::{any, list, names, renamed, rows, symbol};
-use super::{statements, words};
+use super::{Reading, statements, words};
 use crate::expression::remedy_of_constant;
 
 /// A formula of a worksheet, with all that it is made of put in.
@@ -282,6 +283,28 @@ fn is_root_variable(value: &Expr, name: &str) -> bool {
     )
 }
 
+/// Refuses formulas one of whose results would be called as another one is.
+pub(super) fn refuse_clashes(reading: &mut Reading) {
+    let mut taken = BTreeSet::new();
+    // what has one result has its name, whatever the parts of others are called
+    reading.formulas.sort_by_key(|formula| formula.results.len() > 1);
+    let mut clashing = Vec::new();
+    reading.formulas.retain(|formula| {
+        let names: Vec<String> = formula.results.iter().map(|(field, _)| formula.worksheet_name(field)).collect();
+        let clash = names.iter().find(|name| taken.contains(*name)).cloned();
+        match &clash {
+            None => taken.extend(names),
+            Some(clash) => clashing.push((formula.name.clone(), clash.clone(), formula.span.clone())),
+        }
+        clash.is_none()
+    });
+    for (name, clash, span) in clashing {
+        let what = format!("two values of the worksheet would be called `{clash}`");
+        reading.refused.push((name, Refusal::new(what, "rename one of them", &span)));
+    }
+    reading.formulas.sort_by_key(|formula| formula.span.start);
+}
+
 /// The results: one, or one for each item of a list or matrix.
 fn results(name: &str, value: &Expr) -> Result<Vec<(String, Expr)>, Refusal> {
     let nested = |part: &Expr| list(part).is_some() || rows(part).is_some();
@@ -302,24 +325,27 @@ fn results(name: &str, value: &Expr) -> Result<Vec<(String, Expr)>, Refusal> {
             found.extend(items.map(|(column, item)| result(format!("{name}_{}_{}", row + 1, column + 1), item)));
         }
     } else {
-        return Ok(vec![(String::new(), result(String::new(), value).1)]);
+        return Ok(vec![(String::new(), result(String::new(), value).2)]);
     }
-    if found.is_empty() || found.iter().any(|(_, item)| nested(item)) {
+    if found.is_empty() || found.iter().any(|(.., item)| nested(item)) {
         let what = format!("`{name}` is no number, and no list or matrix of numbers");
         return Err(Refusal::new(what, "give its items names of their own", &value.span));
     }
-    Ok(found)
+    // solutions of one unknown are told apart by their places
+    let mut seen = BTreeSet::new();
+    let by_left = found.iter().all(|(_, left, _)| seen.insert(left.clone()));
+    Ok(found.into_iter().map(|(place, left, item)| (if by_left { left } else { place }, item)).collect())
 }
 
-/// An equation whose left side is a name gives its right side, under that name.
-fn result(name: String, item: &Expr) -> (String, Expr) {
+/// An equation whose left side is a name gives its right side, under that name: the name by place, the other one, the value.
+fn result(name: String, item: &Expr) -> (String, String, Expr) {
     match &item.kind {
         ExprKind::Binary { operator: BinaryOperator::Compare(Relation::Equal), left, right }
             if left.as_symbol().is_some_and(|left| !names(right).iter().any(|name| name == left)) =>
         {
             let left = left.as_symbol().unwrap_or_default().to_owned();
-            (if name.is_empty() { name } else { left }, (**right).clone())
+            (name.clone(), if name.is_empty() { name } else { left }, (**right).clone())
         }
-        _ => (name, item.clone()),
+        _ => (name.clone(), name, item.clone()),
     }
 }

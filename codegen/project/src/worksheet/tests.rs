@@ -91,6 +91,10 @@ fn values_for_names_are_put_in() {
 fn lists_and_matrices_are_several_results() {
     assert_eq!(last("p: [x+1, x*y]$"), "p(x,y) = p_1: x+1, p_2: x*y");
     assert_eq!(last("p: [u = x+1, v = x*y]$"), "p(x,y) = u: x+1, v: x*y");
+    assert_eq!(last("p: [x = a+1, x = a*y]$"), "p(a,y) = p_1: a+1, p_2: a*y", "two solutions");
+    assert_eq!(formulas("p_2: z^2$ p: [x, y]$"), ["p_2(z) = z^2"]);
+    assert!(refused("p_2: z^2$ p: [x, y]$")[0].contains("would be called `p_2`"));
+    assert_eq!(formulas("p: z^2$ p(x) := x$").len(), 1, "a function and a variable of one name");
     assert_eq!(last("r(a) := matrix([a,1],[2*a,b])$"), "r(a,b) = r_1_1: a, r_1_2: 1, r_2_1: 2*a, r_2_2: b");
     assert_eq!(last("m: matrix([1,x],[x,2])$ y: m . [3,z]$ d: determinant(m)$"), "d(x) = 1*2-x*x");
     assert_eq!(last("l: [x, y^2]$ z: l[2]+l[1]$"), "z(y,x) = y^2+x");
@@ -140,6 +144,7 @@ fn what_is_not_at_hand_leaves_names_open() {
     let absent = |text: &str| reading(text).passed.into_iter().map(|(what, _)| what).collect::<Vec<_>>();
     assert_eq!(last("a: 3$ load(\"nowhere.mac\")$ y: a*x*c$"), "y(x,c) = 3*x*c");
     assert!(absent("load(\"nowhere.mac\")$ y: x+1$")[0].contains("`nowhere.mac` is not at hand"));
+    assert_eq!(formulas("f(x) := g(x)$ load(nowhere)$ g(y) := y^2$")[0], "f(x) = x^2");
     assert!(absent("load(concat(a, b))$ y: x+1$")[0].contains("whose name is computed"));
     assert!(absent(":lisp (setq x 1)\ny: x+1$")[0].contains("a line of Lisp"));
     assert_eq!(absent("load(\"draw\")$ reset()$ infix(\"~\")$ y: x+1$"), [""; 0], "what is known needs no word");

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use super::super::reference::ReferenceMistake;
 use super::mistake::WorksheetMistake;
 use crate::contract::KernelContract;
+use crate::expression::UNKNOWN_FUNCTION;
 use crate::worksheet::{Formula, Reading};
 
 /// The most lines of one kind.
@@ -107,6 +108,8 @@ pub(super) fn summary(
 fn all_of(formula: &str, mistakes: &[&ReferenceMistake]) -> String {
     let called = |mistake: &&ReferenceMistake| match mistake {
         ReferenceMistake::UnknownFunction { name, .. } => Some(format!("`{name}`")),
+        // one inside another
+        ReferenceMistake::Unsupported { what, .. } => what.strip_prefix(UNKNOWN_FUNCTION).map(str::to_owned),
         _ => None,
     };
     let mut functions: Vec<String> = mistakes.iter().filter_map(called).collect();
