@@ -55,8 +55,11 @@ const DECLARING: [&str; 6] = ["infix", "nary", "prefix", "postfix", "matchfix", 
 /// How strongly an operator binds where its declaration does not say it.
 const USUAL: Power = 180;
 
-/// What packages of Maxima declare.
-const PACKAGES: [(&[&str], &[(&str, &str, Power, Power)]); 6] = [
+/// An operator of a package: the function that declares it, its name, and how strongly it binds on both sides.
+type Known = (&'static str, &'static str, Power, Power);
+
+/// What packages of Maxima declare, by the names under which they are loaded.
+const PACKAGES: [(&[&str], &[Known]); 6] = [
     (
         &["vect", "vect.mac"],
         &[

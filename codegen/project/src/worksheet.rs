@@ -7,11 +7,13 @@ mod arrays;
 mod calls;
 mod closed;
 mod conditions;
+mod defined;
 mod differentiate;
 mod effects;
 mod evaluate;
 mod formula;
 mod numbers;
+mod reading;
 mod state;
 mod statements;
 mod tree;
@@ -21,37 +23,19 @@ mod words;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use closedform_maxima::{BinaryOperator, Error, Expr, ExprKind, Statement, mentions, parse_what_can_be};
+use closedform_maxima::{Expr, ExprKind, Statement, mentions, parse_what_can_be};
 
-pub(crate) use calls::COMPUTE;
 pub(crate) use closed::closed;
+use defined::{Kind, definitions};
 use evaluate::Evaluator;
 pub(crate) use formula::Formula;
 use formula::Outcome;
+pub(crate) use reading::Reading;
 pub(crate) use state::Refusal;
 use state::{Binding, State, Stop};
 pub(crate) use statements::spelt;
 pub(crate) use wanted::{Wanted, is_about_numbers, wanted};
-pub(crate) use words::{is_loading, is_package};
-
-/// What a worksheet comes to.
-#[derive(Debug, Default)]
-pub(crate) struct Reading {
-    /// Its formulas, in the order in which their names are defined last.
-    pub(crate) formulas: Vec<Formula>,
-    /// Names without one, and why.
-    pub(crate) refused: Vec<(String, Refusal)>,
-    /// Names that stand for numbers, texts or settings.
-    pub(crate) constants: Vec<String>,
-    /// Names whose values were put into formulas.
-    pub(crate) inlined: BTreeSet<String>,
-    /// Definitions that later ones replace.
-    pub(crate) replaced: Vec<(String, Range<usize>)>,
-    /// Statements that are no formulas, each with a word for what it is.
-    pub(crate) passed: Vec<(String, Range<usize>)>,
-    /// What is no Maxima.
-    pub(crate) errors: Vec<Error>,
-}
+pub(crate) use words::{COMPUTE, is_loading, is_package};
 
 /// The room that evaluation may take on the stack.
 const STACK: usize = 256 << 20;
@@ -69,13 +53,6 @@ pub(crate) fn read(text: &str, files: BTreeMap<String, String>) -> Reading {
 pub(crate) fn loaded(text: &str) -> Vec<String> {
     let loading = mentions(text).into_iter().filter(|mention| words::is_loading(&mention.name));
     loading.filter_map(|mention| mention.argument).collect()
-}
-
-/// How a name is defined.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Kind {
-    Function,
-    Variable,
 }
 
 struct Run {
@@ -105,7 +82,7 @@ impl Run {
         self.harvest(&[]);
         self.reading.inlined = self.evaluator.used;
         self.reading.passed.append(&mut self.evaluator.absent);
-        formula::refuse_clashes(&mut self.reading);
+        self.reading.refuse_clashes();
         self.reading
     }
 
@@ -200,37 +177,6 @@ fn lost(statement: &Expr, files: &BTreeMap<String, String>) -> Option<Vec<String
         })
     };
     tree::any(statement, &|part| kills(part) || loads(part)).then(Vec::new)
-}
-
-/// The names that a statement defines by itself.
-fn definitions(statement: &Expr) -> Vec<(String, Kind)> {
-    match &statement.kind {
-        ExprKind::Binary { operator: BinaryOperator::Define | BinaryOperator::DefineMacro, left, .. } => head(left),
-        ExprKind::Binary { operator: BinaryOperator::Assign, left, right } => {
-            let mut found = targets(left);
-            found.extend(definitions(right));
-            found
-        }
-        ExprKind::Call { .. } => match statement.as_call() {
-            Some(("define", [function, _])) => head(function),
-            _ => Vec::new(),
-        },
-        ExprKind::Sequence(items) => items.iter().flat_map(definitions).collect(),
-        ExprKind::Ev { expression, .. } => definitions(expression),
-        _ => Vec::new(),
-    }
-}
-
-fn head(head: &Expr) -> Vec<(String, Kind)> {
-    head.as_call().map(|(name, _)| (name.to_owned(), Kind::Function)).into_iter().collect()
-}
-
-fn targets(target: &Expr) -> Vec<(String, Kind)> {
-    match &target.kind {
-        ExprKind::Symbol(name) => vec![(name.clone(), Kind::Variable)],
-        ExprKind::List(items) => items.iter().flat_map(targets).collect(),
-        _ => Vec::new(),
-    }
 }
 
 /// What a statement is that no formula comes of, if it is worth a word.

@@ -11,7 +11,7 @@ use super::evaluate::Evaluator;
 use super::numbers;
 use super::state::{Binding, Evaluated, Refusal, Saved, Stop};
 use super::tree::{self, any, call, list, put, rows, small, symbol};
-use super::words;
+use super::words::{self, COMPUTE};
 
 /// The most items that a sum, product or list is written out with.
 const ITEMS: i64 = 1000;
@@ -371,10 +371,6 @@ fn substituted(equations: &Expr, value: &Expr, in_turn: bool, span: &Range<usize
     }
     Ok(pairs.iter().fold(value.clone(), |value, (old, new)| put(&value, &|name| (name == old).then(|| new.clone()))))
 }
-
-/// What to do where Maxima must compute.
-pub(crate) const COMPUTE: &str = "a worksheet that computes needs Maxima: `closedform derive FILE` runs it and writes what it leaves; \
-                                  then run this command again";
 
 fn is_free(name: &str) -> bool {
     !name.starts_with([super::evaluate::PARAMETER, super::evaluate::ROOT, '%'])

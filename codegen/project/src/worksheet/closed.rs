@@ -3,10 +3,11 @@
 use closedform_maxima::ast::Quoting;
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, parse_what_can_be};
 
-use super::formula::{Outcome, find, marked_in, outcome, refuse_clashes};
+use super::formula::{Outcome, find, marked_in, outcome};
+use super::reading::Reading;
 use super::state::{Refusal, State};
 use super::tree::list;
-use super::{Reading, words};
+use super::words;
 
 /// Reads `f(x):=formula$`, `name:formula$` and `assume(x>0)$`.
 pub(crate) fn closed(text: &str) -> Reading {
@@ -35,7 +36,7 @@ pub(crate) fn closed(text: &str) -> Reading {
             Outcome::Refused(because) => reading.refused.push((name, because)),
         }
     }
-    refuse_clashes(&mut reading);
+    reading.refuse_clashes();
     reading
 }
 

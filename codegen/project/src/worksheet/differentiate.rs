@@ -6,10 +6,10 @@ use std::ops::Range;
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator};
 
 use super::arrays::each;
-use super::calls::COMPUTE;
 use super::numbers::exact;
 use super::state::Refusal;
 use super::tree::{any, binary, call, names, number, small};
+use super::words::COMPUTE;
 use num_traits::{One, Zero};
 
 /// The most times that something is differentiated.

@@ -215,7 +215,7 @@ impl Evaluator {
             (ExprKind::Subscript { array, indices }, _) => self.assign_element(array, indices, &value, span)?,
             (ExprKind::List(_), _) => {
                 let what = "the parts of what only Maxima can compute";
-                let because = Refusal::new(what, super::calls::COMPUTE, span);
+                let because = Refusal::new(what, words::COMPUTE, span);
                 let whole = binary(BinaryOperator::Assign, target.clone(), target.clone(), span);
                 Effects::of(&whole, &self.state).apply(&mut self.state, &because);
                 return Err(because.into());

@@ -7,11 +7,11 @@ use std::rc::Rc;
 use closedform_maxima::ast::Branch;
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator};
 
-use super::calls::COMPUTE;
 use super::evaluate::{Evaluator, PARAMETER, ROOT, is_constant};
 use super::state::{Binding, Evaluated, Refusal, State, Stop};
 use super::tree::{any, list, names, renamed, rows, symbol};
-use super::{Reading, statements, words};
+use super::words::COMPUTE;
+use super::{statements, words};
 use crate::expression::remedy_of_constant;
 
 /// A formula of a worksheet, with all that it is made of put in.
@@ -281,28 +281,6 @@ fn is_root_variable(value: &Expr, name: &str) -> bool {
         value,
         &|part| matches!(part.as_call(), Some(("positive_root", [_, unknown])) if unknown.as_symbol() == Some(name)),
     )
-}
-
-/// Refuses formulas one of whose results would be called as another one is.
-pub(super) fn refuse_clashes(reading: &mut Reading) {
-    let mut taken = BTreeSet::new();
-    // what has one result has its name, whatever the parts of others are called
-    reading.formulas.sort_by_key(|formula| formula.results.len() > 1);
-    let mut clashing = Vec::new();
-    reading.formulas.retain(|formula| {
-        let names: Vec<String> = formula.results.iter().map(|(field, _)| formula.worksheet_name(field)).collect();
-        let clash = names.iter().find(|name| taken.contains(*name)).cloned();
-        match &clash {
-            None => taken.extend(names),
-            Some(clash) => clashing.push((formula.name.clone(), clash.clone(), formula.span.clone())),
-        }
-        clash.is_none()
-    });
-    for (name, clash, span) in clashing {
-        let what = format!("two values of the worksheet would be called `{clash}`");
-        reading.refused.push((name, Refusal::new(what, "rename one of them", &span)));
-    }
-    reading.formulas.sort_by_key(|formula| formula.span.start);
 }
 
 /// The results: one, or one for each item of a list or matrix.

@@ -3,8 +3,8 @@
 use closedform_maxima::ast::LoopWord;
 use closedform_maxima::{Expr, ExprKind, UnaryOperator, parse_what_can_be};
 
+use super::defined::{Kind, definitions};
 use super::tree::{any, names};
-use super::{Kind, definitions};
 
 /// A name that a worksheet defines.
 #[derive(Debug, Clone, PartialEq, Eq)]

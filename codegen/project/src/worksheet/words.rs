@@ -1,5 +1,9 @@
 //! What Maxima's own functions and packages do to a worksheet, by name.
 
+/// What to do where Maxima must compute.
+pub(crate) const COMPUTE: &str = "a worksheet that computes needs Maxima: `closedform derive FILE` runs it and writes what it leaves; \
+                                  then run this command again";
+
 /// Packages of Maxima that define functions and no variables of ordinary names: loading them changes no formula.
 const PACKAGES: [&str; 66] = [
     "abs_integrate",
