@@ -12,6 +12,7 @@ use closedform_build::stale;
 use closedform_measure::ledger;
 use closedform_measure::ledger::change::changes;
 use closedform_project::Project;
+use closedform_project::family::worksheets_in;
 use closedform_project::folder;
 use closedform_project::generated::Made;
 use closedform_system::output;
@@ -23,9 +24,8 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, ClapArgs)]
 pub struct Args {
     /// A worksheet of definitions `f(x,y) := ..` to make a crate of, instead of this project's kernels: a text of Maxima (.mac,
-    /// .dem), what wxMaxima saves (.wxm, .wxmx), or
-    /// FPCores (.fpcore)
-    #[arg(long, value_name = "FILE", requires = "out")]
+    /// .dem), what wxMaxima saves (.wxm, .wxmx), or FPCores (.fpcore); or a folder of such files, which become a module each
+    #[arg(long, value_name = "FILE|DIR", requires = "out")]
     input: Option<PathBuf>,
     /// The folder of that crate: a new one, or one with a crate, where only src/generated/ is written
     #[arg(long, value_name = "DIR", requires = "input")]
@@ -57,8 +57,12 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     match (&args.input, &args.out) {
         (Some(input), Some(out)) if args.watch => {
             let folder = input.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-            watch::run(folder, || own_crate(args, input, out, project))
+            match input.is_dir() {
+                true => watch::run(input, || folder_crate(args, input, out, project)),
+                false => watch::run(folder, || own_crate(args, input, out, project)),
+            }
         }
+        (Some(input), Some(out)) if input.is_dir() => folder_crate(args, input, out, project),
         (Some(input), Some(out)) => own_crate(args, input, out, project),
         _ if args.watch => watch::run(&project.worksheets, || {
             derive_changed(project)?;
@@ -113,6 +117,32 @@ fn whole(args: &Args, project: &Project) -> miette::Result<()> {
     Ok(())
 }
 
+/// A module for every worksheet of a folder; one of which nothing can be made is named and passed over.
+fn folder_crate(args: &Args, input: &Path, out: &Path, project: &Project) -> miette::Result<()> {
+    own_crate::check(out)?;
+    let worksheets = worksheets_in(input)?;
+    let mut refused = 0;
+    for worksheet in &worksheets {
+        output::note(&format!("{}:", worksheet.display()));
+        if let Err(error) = own_crate(args, worksheet, out, project) {
+            if args.strict {
+                return Err(error);
+            }
+            output::warn(&format!("{error:?}"));
+            refused += 1;
+        }
+    }
+    match worksheets.len() - refused {
+        0 => bail!(
+            help = "write formulas such as f(x,y):=sqrt(x^2+y^2)$ into a worksheet there",
+            "{} holds no worksheet of which kernels can be made",
+            input.display()
+        ),
+        made => output::note(&format!("{made} of {} worksheets are modules of {}", worksheets.len(), out.display())),
+    }
+    Ok(())
+}
+
 fn own_crate(args: &Args, input: &Path, out: &Path, project: &Project) -> miette::Result<()> {
     own_crate::check(out)?;
     let module = own_crate::module(input, out);
@@ -120,6 +150,7 @@ fn own_crate(args: &Args, input: &Path, out: &Path, project: &Project) -> miette
     let draft = Draft::new(&generated)?;
     let rows = ledger::rows(&out.join("records"), &draft.catalogue()?, args.points)?;
     output::tell(&summary::each_kernel(&generated.kernels, &rows, &[]))?;
+    generated.refused.iter().for_each(|refused| output::note(&format!("passed over: {}", refused.because)));
     remark(&generated.kernels);
     hold(&rows)?;
     let runtime = args.runtime.clone().unwrap_or_default();

@@ -9,13 +9,14 @@ mod attempt;
 use crate::program::{GENERATOR, ProgramError};
 use attempt::{Ending, attempt};
 use closedform_project::family::{Family, FamilyError, Sheet, WorksheetError, families};
-use closedform_project::generated::{Generated, would_be_fine};
+use closedform_project::generated::{Generated, Refused, would_be_fine};
 use closedform_project::layout::Limits;
 use closedform_project::maxima_process::Maxima;
 use closedform_system::limit::{KERNEL, LimitError, WAIT};
 use closedform_system::output::{note, warn};
 use closedform_system::turn::{Patience, Turn, TurnError};
 use miette::{Diagnostic, Report};
+use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitStatus;
@@ -33,6 +34,10 @@ pub enum Source {
         worksheet: PathBuf,
         /// The module that its kernels stand in.
         module: String,
+        /// Whether nothing of it may be left out.
+        strict: bool,
+        /// Kernels that are not tried.
+        except: BTreeSet<String>,
     },
     /// Nothing: the kernels of a folder are proved equal to what Maxima derives from the worksheets of another one.
     Rederived {
@@ -140,17 +145,20 @@ pub fn run(source: &Source, limits: &Limits) -> Result<Generated, WorkerError> {
 /// # Errors
 /// As of [`run`], and when nothing is left, or something is passed over that must not be.
 pub fn run_sheet(worksheet: &Path, module: &str, strict: bool, limits: &Limits) -> Result<Generated, WorkerError> {
-    let source = Source::Worksheet { worksheet: worksheet.to_owned(), module: module.to_owned() };
+    let source = |strict| {
+        let (worksheet, module) = (worksheet.to_owned(), module.to_owned());
+        Source::Worksheet { worksheet, module, strict, except: BTreeSet::new() }
+    };
     let Sheet { family, error, summary } = Family::sheet(worksheet)?;
     let nothing = family.contract.kernels.is_empty();
     match error {
         Some(error) if nothing => Err(FamilyError::from(error).into()),
-        Some(error) if strict || error.is_of_file() => made_of(&source, Some(error), limits),
+        Some(error) if strict || error.is_of_file() => made_of(&source(true), Some(error), limits),
         _ => {
             summary.lines.iter().for_each(|line| note(line));
-            match summary.passed_over {
+            match summary.passed.len() {
                 passed_over @ 1.. if strict => Err(WorkerError::PassedOver { passed_over }),
-                _ => made(&source, limits),
+                _ => made(&source(strict), limits),
             }
         }
     }
@@ -163,7 +171,25 @@ fn made_of(source: &Source, refused: Option<WorksheetError>, limits: &Limits) ->
     Err(WorkerError::Refused { fine: made(source, limits)?.kernels.len() })
 }
 
+/// What can be made. Of a worksheet a kernel that the generator is not done with in time, or at which it crashes, is left
+/// out.
 fn made(source: &Source, limits: &Limits) -> Result<Generated, WorkerError> {
+    let mut source = source.clone();
+    let mut refused = Vec::new();
+    loop {
+        let error = match made_at_once(&source, limits) {
+            Ok(mut generated) => {
+                generated.refused.extend(refused);
+                return Ok(generated);
+            }
+            Err(error) => error,
+        };
+        let Some(kernel) = error.about().and_then(|kernel| source.leave_out(kernel)) else { return Err(error) };
+        refused.push(Refused { kernel, because: error.to_string() });
+    }
+}
+
+fn made_at_once(source: &Source, limits: &Limits) -> Result<Generated, WorkerError> {
     let limit = KERNEL.seconds(limits.kernel)?;
     let generator = GENERATOR.find()?;
     let patience = Patience::of(limits.wait)?;
@@ -186,7 +212,24 @@ fn made(source: &Source, limits: &Limits) -> Result<Generated, WorkerError> {
     }
 }
 
+impl WorkerError {
+    /// The kernel that stopped the generator, if one did.
+    fn about(&self) -> Option<&str> {
+        match self {
+            Self::Crashed { what, .. } | Self::OutOfTime { what, .. } => Some(what),
+            _ => None,
+        }
+    }
+}
+
 impl Source {
+    /// Leaves out a kernel of a worksheet, `module::kernel`, unless nothing may be left out, or it is left out already.
+    fn leave_out(&mut self, kernel: &str) -> Option<String> {
+        let Self::Worksheet { module, strict: false, except, .. } = self else { return None };
+        let name = kernel.strip_prefix(module.as_str())?.strip_prefix("::")?;
+        except.insert(name.to_owned()).then(|| kernel.to_owned())
+    }
+
     /// The folder of the worksheets.
     fn worksheets(&self) -> &Path {
         match self {

@@ -264,6 +264,10 @@ fn worksheets_of_any_name_become_modules_that_build() {
         );
         desk.makes(&sheet, "core");
     }
+    let names =
+        "%alpha(_a,x\\-y) := _a-x\\-y$ \u{65e5}: \u{fc}n\u{ef}^2+a\\?b$ __(Self) := [Self, self/2]$ \\-(f64) := f64^2$";
+    desk.write("names.mac", names);
+    desk.makes("names.mac", "core");
     assert_eq!(desk.manifest("core")["package"]["name"].as_str(), Some("core-kernels"));
     desk.cargo("core", &["test", "--quiet"]);
 }

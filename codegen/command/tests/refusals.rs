@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{fails, repository, turn};
+use common::{closedform, fails, repository, succeeds, turn};
 use std::fs;
 
 /// What is said of a worksheet, white space folded; nothing is written.
@@ -69,5 +69,72 @@ fn strict_refuses_what_is_passed_over() {
     let said = fails(&repository(), &["generate", "--strict", "--input", input.to_str().unwrap(), "--out", written]);
     for words in ["line 2: passed over: a loop", "1 statement of the worksheet would be passed over"] {
         assert!(!out.exists() && said.contains(words), "`{words}` is not in {said}");
+    }
+}
+
+#[test]
+fn what_the_algebra_refuses_stops_no_other_formula() {
+    let _turn = turn();
+    let folder = tempfile::tempdir().unwrap();
+    let (input, out) = (folder.path().join("my.mac"), folder.path().join("mine"));
+    let text = "good(x) := x^2+1$\nnowhere(x) := 1/(x-x)+1$\nopen(a,b) := positive_root(z^2-a*z-b,z)$\n";
+    fs::write(&input, text).unwrap();
+    let [input, written] = [&input, &out].map(|path| path.to_str().unwrap());
+    let output = closedform(&repository(), &["generate", "--input", input, "--out", written]);
+    let said = String::from_utf8_lossy(&output.stderr).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(output.status.success(), "{said}");
+    for words in
+        ["passed over:", "my.mac:2:1: kernel `my::nowhere` has an empty domain", "my.mac:3:1: kernel `my::open`"]
+    {
+        assert!(said.contains(words), "`{words}` is not in {said}");
+    }
+    let made = fs::read_to_string(out.join("src/generated/my.rs")).unwrap();
+    assert!(made.contains("pub fn good") && !made.contains("nowhere"), "{made}");
+    let said = fails(&repository(), &["generate", "--strict", "--input", input, "--out", written]);
+    assert!(said.contains("kernel `my::nowhere` has an empty domain") && said.contains("1 other kernel would be fine"));
+}
+
+#[test]
+fn a_folder_becomes_one_crate() {
+    let _turn = turn();
+    let folder = tempfile::tempdir().unwrap();
+    let (input, out) = (folder.path().join("sheets"), folder.path().join("mine"));
+    fs::create_dir(&input).unwrap();
+    for (name, text) in [
+        ("a b.mac", "f(x) := x^2$"),
+        ("cores.fpcore", "(FPCore g (x) :pre (> x 0) (/ 1 x))"),
+        ("none.mac", "f(x) := sin(x)$"),
+        ("notes.txt", "no worksheet"),
+        ("two.wxm", "/* [wxMaxima: input start ] */\nh: x+1$\n/* [wxMaxima: input end ] */\n"),
+    ] {
+        fs::write(input.join(name), text).unwrap();
+    }
+    let [input, written] = [&input, &out].map(|path| path.to_str().unwrap());
+    let output = closedform(&repository(), &["generate", "--input", input, "--out", written]);
+    let said = String::from_utf8_lossy(&output.stderr).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        output.status.success() && said.contains("3 of 4 worksheets are modules") && said.contains("`sin`"),
+        "{said}"
+    );
+    let index = fs::read_to_string(out.join("src/generated/mod.rs")).unwrap();
+    for kernel in ["a_b::f", "cores::g", "two::h"] {
+        assert!(index.contains(&format!("&{kernel}::KERNEL")), "{kernel} is not in {index}");
+    }
+}
+
+#[test]
+fn a_worksheet_that_computes_is_derived_and_generated() {
+    let _turn = turn();
+    let folder = tempfile::tempdir().unwrap();
+    let (input, out) = (folder.path().join("calc.mac"), folder.path().join("mine"));
+    fs::write(&input, "s: solve(a*x^2 = b, x)$\nroot: rhs(s[2])$\narea(r) := integrate(2*t, t, 0, r)$\n").unwrap();
+    let [input, written] = [&input, &out].map(|path| path.to_str().unwrap());
+    let said = fails(&repository(), &["generate", "--input", input, "--out", written]);
+    assert!(said.contains("calls `solve`") && said.contains("closedform derive FILE"), "{said}");
+    let derived = succeeds(&repository(), &["derive", input]);
+    assert!(derived.contains("3 names with a value"), "{derived}");
+    let table = succeeds(&repository(), &["generate", "--input", input, "--out", written]);
+    for kernel in ["calc::s", "calc::root", "calc::area"] {
+        assert!(table.contains(kernel), "{kernel} is not in {table}");
     }
 }

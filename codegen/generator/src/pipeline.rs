@@ -9,7 +9,7 @@ use closedform_bounds::{BoundError, certified_bound_proof};
 use closedform_maxima::Definition;
 use closedform_project::contract::KernelContract;
 use closedform_project::family::{Family, Paths};
-use closedform_project::generated::{Generated, Made};
+use closedform_project::generated::{Generated, Made, Refused};
 use closedform_project::sample::{EmptyDomain, sample};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -137,21 +137,83 @@ pub fn generate(
     let mut generated = Generated::default();
     let mut causes = Vec::new();
     for family in families {
-        let (mut kernels, mut unmade) = make_kernels(algebra, family, &mut progress);
-        let mut text = module_text(family, &kernels);
-        let mut open = unproved(algebra, family, &text);
-        if take_as_written(family, &open, &mut kernels, &mut unmade) {
-            text = module_text(family, &kernels);
-            open = unproved(algebra, family, &text);
-        }
-        // a kernel that is not made is missing, but for another reason
-        let missing = |cause: &PipelineError| !unmade.is_empty() && matches!(cause, PipelineError::Missing(_));
-        causes.extend(open.into_iter().filter(|cause| !missing(cause)));
-        causes.extend(unmade);
-        generated.kernels.extend(kernels.iter().map(|kernel| made(family, kernel)));
-        generated.files.insert(format!("{}.rs", family.name), text);
+        let Attempt { kernels, text, refused } = attempt(algebra, family, &mut progress);
+        causes.extend(refused);
+        add(&mut generated, family, &kernels, text);
     }
     if causes.is_empty() { Ok(generated) } else { Err(causes) }
+}
+
+/// As [`generate`], but what cannot be made or is not proved is left out, and told in [`Generated::refused`].
+///
+/// # Errors
+/// When no kernel is left.
+pub fn generate_what_can_be(
+    algebra: Algebra,
+    families: &[Family],
+    mut progress: impl FnMut(&str),
+) -> Result<Generated, Vec<PipelineError>> {
+    let mut generated = Generated::default();
+    let mut causes = Vec::new();
+    for family in families {
+        let mut left = family.clone();
+        let mut made = attempt(algebra, &left, &mut progress);
+        while !made.refused.is_empty() && !made.kernels.is_empty() {
+            left = left.without(&refused_names(family, &made.refused));
+            made.kernels.retain(|kernel| left.contract.kernels.iter().any(|fine| fine.name == kernel.name));
+            causes.append(&mut made.refused);
+            made.text = module_text(&left, &made.kernels);
+            made.refused = unproved(algebra, &left, &made.text);
+        }
+        causes.append(&mut made.refused);
+        if !made.kernels.is_empty() {
+            add(&mut generated, &left, &made.kernels, made.text);
+        }
+    }
+    if generated.kernels.is_empty() {
+        return Err(causes);
+    }
+    generated.refused = causes.iter().map(refusal).collect();
+    Ok(generated)
+}
+
+/// The kernels that these causes are about; all of the family where one names none.
+fn refused_names(family: &Family, causes: &[PipelineError]) -> BTreeSet<String> {
+    let start = format!("{}::", family.name);
+    let name = |cause: &PipelineError| Some(cause.kernel()?.strip_prefix(&start)?.to_owned());
+    let named: Option<BTreeSet<String>> = causes.iter().map(name).collect();
+    named.unwrap_or_else(|| family.contract.kernels.iter().map(|kernel| kernel.name.clone()).collect())
+}
+
+fn refusal(cause: &PipelineError) -> Refused {
+    Refused { kernel: cause.kernel().unwrap_or_default().to_owned(), because: cause.to_string() }
+}
+
+/// The kernels of a family as far as they can be made, their text, and what is wrong with them and the others.
+struct Attempt {
+    kernels: Vec<KernelText>,
+    text: String,
+    refused: Vec<PipelineError>,
+}
+
+fn attempt(algebra: Algebra, family: &Family, progress: &mut impl FnMut(&str)) -> Attempt {
+    let (mut kernels, mut unmade) = make_kernels(algebra, family, progress);
+    let mut text = module_text(family, &kernels);
+    let mut open = unproved(algebra, family, &text);
+    if take_as_written(family, &open, &mut kernels, &mut unmade) {
+        text = module_text(family, &kernels);
+        open = unproved(algebra, family, &text);
+    }
+    // a kernel that is not made is missing, but for another reason
+    let missing = |cause: &PipelineError| !unmade.is_empty() && matches!(cause, PipelineError::Missing(_));
+    let mut refused: Vec<PipelineError> = open.into_iter().filter(|cause| !missing(cause)).collect();
+    refused.extend(unmade);
+    Attempt { kernels, text, refused }
+}
+
+fn add(generated: &mut Generated, family: &Family, kernels: &[KernelText], text: String) {
+    generated.kernels.extend(kernels.iter().map(|kernel| made(family, kernel)));
+    generated.files.insert(format!("{}.rs", family.name), text);
 }
 
 /// The kernels of a family that can be made, and why the others cannot.

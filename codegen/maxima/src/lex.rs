@@ -1,6 +1,7 @@
 //! Text to tokens.
 
 use std::ops::Range;
+use std::rc::Rc;
 
 use winnow::combinator::{alt, fail, not, opt, peek, repeat};
 use winnow::error::EmptyError;
@@ -9,6 +10,7 @@ use winnow::stream::{LocatingSlice, Location, Stream};
 use winnow::token::{any, literal, none_of, one_of, take_while};
 
 use crate::error::{DIGIT_LIMIT, Error};
+use crate::operator::{Operator, declared};
 use crate::token::{HIDE, MARKS, Token, TokenKind, WORDS};
 
 type Input<'a> = LocatingSlice<&'a str>;
@@ -20,15 +22,42 @@ const EXPONENT_LETTERS: [char; 12] = ['e', 'E', 'b', 'B', 'd', 'D', 'f', 'F', 's
 /// What some editors put before a text to say that it is Unicode.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// All tokens of `text`, the last one being the end, and everything that is none.
-pub(crate) fn lex(text: &str) -> (Vec<Token>, Vec<Error>) {
+/// The tokens of a text, the last one being the end, and everything that is none.
+pub(crate) struct Lex {
+    /// The tokens.
+    pub tokens: Vec<Token>,
+    /// What is none.
+    pub errors: Vec<Error>,
+    /// The operators that the text declares.
+    pub operators: Vec<Rc<Operator>>,
+}
+
+/// All tokens of `text`, those of operators that it declares included.
+pub(crate) fn lex(text: &str) -> Lex {
+    let (tokens, errors) = lex_with(text, &[]);
+    let operators = declared(&tokens);
+    if operators.is_empty() {
+        return Lex { tokens, errors, operators };
+    }
+    let names: Vec<String> = operators.iter().flat_map(|operator| operator.names()).collect();
+    let (tokens, errors) = lex_with(text, &names);
+    Lex { tokens, errors, operators }
+}
+
+/// All tokens, `declared` being operators.
+fn lex_with(text: &str, declared: &[String]) -> (Vec<Token>, Vec<Error>) {
     let (mut tokens, mut errors) = (Vec::new(), Vec::new());
     let mut input = Input::new(text);
     let _ = opt(BYTE_ORDER_MARK).parse_next(&mut input) as Lexed<_>;
     loop {
         skip_blank(&mut input);
         let (start, checkpoint) = (input.current_token_start(), input.checkpoint());
-        match token.with_span().parse_next(&mut input) {
+        if let Some(length) = lisp_line(text, start) {
+            tokens.extend(statement_of_lisp(&text[start..start + length], start));
+            input.next_slice(length);
+            continue;
+        }
+        match token_or(declared).with_span().parse_next(&mut input) {
             Ok((kind, span)) => tokens.push(Token { kind, span }),
             Err(EmptyError) if start == text.len() => break,
             Err(EmptyError) => {
@@ -41,6 +70,25 @@ pub(crate) fn lex(text: &str) -> (Vec<Token>, Vec<Error>) {
     }
     tokens.push(Token { kind: TokenKind::End, span: text.len()..text.len() });
     (tokens, errors)
+}
+
+/// Length of the line of Lisp that begins here, if one does.
+fn lisp_line(text: &str, start: usize) -> Option<usize> {
+    let rest = text[start..].strip_prefix(LISP)?;
+    let before = text[..start].rsplit('\n').next().unwrap_or_default();
+    let is_command = before.trim().is_empty() && rest.starts_with([' ', '\t', '(', '-']);
+    is_command.then(|| text[start..].find('\n').unwrap_or(text.len() - start))
+}
+
+/// What Maxima hands to Lisp at the start of a line.
+const LISP: &str = ":lisp";
+
+/// A line of Lisp as a call with a string.
+fn statement_of_lisp(line: &str, start: usize) -> [Token; 5] {
+    let code = TokenKind::String(line[LISP.len()..].trim().to_owned());
+    let kinds =
+        [TokenKind::Symbol(LISP.to_owned()), TokenKind::Mark("("), code, TokenKind::Mark(")"), TokenKind::Mark(HIDE)];
+    kinds.map(|kind| Token { kind, span: start..start + line.len() })
 }
 
 /// Where to go on after an error.
@@ -81,8 +129,23 @@ fn malformed_number(rest: &str, start: usize) -> Range<usize> {
     start..start + mantissa + letter + sign
 }
 
-fn token(input: &mut Input) -> Lexed<TokenKind> {
-    alt((number, string, symbol, mark)).parse_next(input)
+/// A token; the longest name of an operator counts, be it declared or Maxima's own.
+fn token_or<'t>(declared: &'t [String]) -> impl FnMut(&mut Input<'t>) -> Lexed<TokenKind> {
+    move |input: &mut Input<'t>| {
+        let rest: &str = input;
+        let longer = |name: &&String| MARKS.iter().all(|mark| mark.len() < name.len() || !rest.starts_with(mark));
+        let is_word = |name: &str| name.starts_with(begins_symbol);
+        let operator = declared.iter().filter(|name| !is_word(name) && rest.starts_with(name.as_str())).find(longer);
+        if let Some(name) = operator {
+            let (name, length) = (name.clone(), name.len());
+            input.next_slice(length);
+            return Ok(TokenKind::Declared(name));
+        }
+        Ok(match alt((number, string, symbol, mark)).parse_next(input)? {
+            TokenKind::Symbol(name) if declared.contains(&name) => TokenKind::Declared(name),
+            other => other,
+        })
+    }
 }
 
 fn mark(input: &mut Input) -> Lexed<TokenKind> {

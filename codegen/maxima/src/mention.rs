@@ -35,7 +35,7 @@ const CALLING: [&str; 12] = [
 /// All such names, those in strings included, which may be evaluated.
 #[must_use]
 pub fn mentions(text: &str) -> Vec<Mention> {
-    let (tokens, _) = lex(text);
+    let tokens = lex(text).tokens;
     let mut found = Vec::new();
     for at in 0..tokens.len() {
         let span = tokens[at].span.clone();
@@ -44,6 +44,10 @@ pub fn mentions(text: &str) -> Vec<Mention> {
                 found.push(Mention { name: ":lisp".to_owned(), argument: None, span });
             }
             TokenKind::Symbol(name) if is_called(&tokens, at) || is_handed_on(&tokens, at) || name.starts_with('?') => {
+                found.push(Mention { name: name.clone(), argument: only_argument(&tokens, at), span });
+            }
+            // an operator calls the function of its name
+            TokenKind::Declared(name) => {
                 found.push(Mention { name: name.clone(), argument: only_argument(&tokens, at), span });
             }
             TokenKind::String(inner) if is_handed_on(&tokens, at) => {
@@ -118,6 +122,7 @@ mod tests {
         assert_eq!(names("eval_string(\"eval_string(\\\"system(1)\\\")\")$"), ["eval_string", "eval_string", "system"]);
         assert_eq!(names("?run\\-program(x)$ a: ?quit$"), ["?run-program", "?quit"]);
         assert_eq!(names("x:1$\n:lisp (quit)\n"), [":lisp"]);
+        assert_eq!(names("prefix(\"system\")$ x: system \"ls\"$"), ["prefix", "system"]);
         assert_eq!(names("a ~~ system(b && c)$ {{{"), ["system"], "a text that does not parse");
     }
 

@@ -6,7 +6,7 @@ mod expression;
 use crate::ast::{Expr, ExprKind, Statement, Terminator};
 use crate::error::{Error, Errors};
 use crate::grammar::COMMA;
-use crate::lex::lex;
+use crate::lex::{Lex, lex};
 use crate::token::{HIDE, TokenKind};
 
 use cursor::Cursor;
@@ -24,11 +24,11 @@ pub const HEIGHT_LIMIT: usize = 1024;
 ///
 /// The first thing that is wrong with the text.
 pub fn parse_expression(text: &str) -> Result<Expr, Error> {
-    let (tokens, errors) = lex(text);
+    let Lex { tokens, errors, operators } = lex(text);
     if let Some(error) = errors.into_iter().next() {
         return Err(error);
     }
-    let mut cursor = Cursor::new(&tokens);
+    let mut cursor = Cursor::new(&tokens, &operators);
     let expression = top(&mut cursor)?;
     match cursor.kind() {
         TokenKind::End => Ok(expression),
@@ -49,9 +49,9 @@ pub fn parse_statements(text: &str) -> Result<Vec<Statement>, Errors> {
 /// The statements of a worksheet that are right, and everything that is wrong with the others, in the order of the text.
 #[must_use]
 pub fn parse_what_can_be(text: &str) -> (Vec<Statement>, Vec<Error>) {
-    let (tokens, mut errors) = lex(text);
+    let Lex { tokens, mut errors, operators } = lex(text);
     let mut unknown = errors.iter().map(|error| error.span().start).collect::<Vec<_>>().into_iter().peekable();
-    let (mut cursor, mut statements) = (Cursor::new(&tokens), Vec::new());
+    let (mut cursor, mut statements) = (Cursor::new(&tokens, &operators), Vec::new());
     while *cursor.kind() != TokenKind::End {
         let read = statement(&mut cursor, text);
         if read.is_err() {

@@ -29,6 +29,8 @@ pub(crate) enum TokenKind {
     Symbol(String),
     /// An operator, a bracket or a reserved word.
     Mark(&'static str),
+    /// An operator that the text declares, by its name.
+    Declared(String),
     /// Nothing more comes.
     End,
 }
@@ -40,6 +42,7 @@ impl fmt::Display for TokenKind {
             Self::String(_) => write!(f, "a string"),
             Self::Symbol(name) => write!(f, "the name `{name}`"),
             Self::Mark(mark) => write!(f, "`{mark}`"),
+            Self::Declared(name) => write!(f, "the operator `{name}`"),
             Self::End => write!(f, "the end of the text"),
         }
     }

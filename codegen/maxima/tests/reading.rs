@@ -178,3 +178,32 @@ fn what_is_wrong_does_not_hide_what_is_right() {
     let places: Vec<usize> = errors.iter().map(|error| error.span().start).collect();
     assert_eq!(places, [7, 16, 23], "one a statement, in order: {errors:?}");
 }
+
+#[test]
+fn declared_operators_are_calls_of_their_names() {
+    let read = |text: &str| {
+        let statements = parse_statements(text).unwrap_or_else(|errors| panic!("{text}: {errors:?}"));
+        print(&statements.last().expect("a statement").expression)
+    };
+    assert_eq!(read("infix(\"plus\")$ y: a*b plus c+1$"), "y:a*plus(b,c)+1");
+    assert_eq!(read("infix(\"plus\", 90, 90)$ y: a*b plus c+1$"), "y:plus(a*b,c+1)");
+    assert_eq!(read("nary(\"both\")$ y: a both b both c$"), "y:both(a,b,c)");
+    assert_eq!(read("prefix(\"half\")$ y: half x+1$"), "y:half(x)+1");
+    assert_eq!(read("postfix(\"percent\")$ y: 1+x percent$"), "y:1+percent(x)");
+    assert_eq!(read("matchfix(\"open\", \"close\")$ y: open a, b close$"), "y:open(a,b)");
+    assert_eq!(read("nofix(\"all_of\")$ y: all_of+1$"), "y:all_of()+1");
+    assert_eq!(read("infix(\"plus\")$ \"plus\"(a,b) := a+b$"), "plus(a,b):=a+b");
+    assert_eq!(read("infix(\"=>\")$ y: a => b$"), read("y: \\=\\>(a,b)$"), "the longest name counts");
+    assert_eq!(read("load(\"vect\")$ y: a ~ grad b$"), read("y: \\~(a,grad(b))$"));
+    assert_eq!(read("infix(\"+\")$ y: a+b$"), "y:a+b", "what Maxima has keeps its meaning");
+    parse_statements("y: a ~ b$").expect_err("nobody has declared it");
+    parse_statements("matchfix(\"open\", \"close\")$ y: open a$").expect_err("it is not closed");
+}
+
+#[test]
+fn a_line_of_lisp_is_a_statement() {
+    let statements = parse_statements("x: 1$\n:lisp (car |$x|)\ny: x$").expect("parses");
+    let read: Vec<String> = statements.iter().map(|statement| print(&statement.expression)).collect();
+    assert_eq!(read[1..], [print(&parse_expression("\\:lisp(\"(car |$x|)\")").expect("parses")), "y:x".to_owned()]);
+    assert_eq!(print(&parse_expression("x :lisp").expect("parses")), "x:lisp", "elsewhere it is a name");
+}

@@ -7,6 +7,7 @@ mod driver;
 mod error;
 mod natural;
 mod reply;
+mod sheet;
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -19,6 +20,7 @@ pub use compare::{Compared, compare_references};
 pub use driver::VALUES;
 pub use error::{DeriveError, PointFailure};
 pub use natural::Added;
+pub use sheet::{DerivedSheet, derive_sheet};
 
 use super::contract::{self, Contract, KernelContract};
 use super::family::{Paths, check_references};

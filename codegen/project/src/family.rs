@@ -4,6 +4,7 @@ mod natural_domain;
 mod reference;
 mod stranger;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use closedform_maxima::Definition;
@@ -11,7 +12,7 @@ use miette::Diagnostic;
 use thiserror::Error;
 
 pub use reference::{ReferenceError, ReferenceMistake};
-pub use stranger::{Sheet, Summary, WorksheetError, WorksheetMistake};
+pub use stranger::{Passed, Sheet, Summary, WorksheetError, WorksheetMistake};
 
 use super::contract::{self, Contract, ContractError, KernelContract, ResultContract, module_name};
 use super::script::ScriptError;
@@ -69,6 +70,15 @@ pub enum FamilyError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Worksheet(#[from] WorksheetError),
+    /// What Maxima derived from an earlier text of a worksheet.
+    #[error("{} was derived from another {} than there is now", reference.display(), worksheet.display())]
+    #[diagnostic(help("run `closedform derive {}`; or delete {}", worksheet.display(), reference.display()))]
+    Stale {
+        /// What was derived.
+        reference: PathBuf,
+        /// The worksheet.
+        worksheet: PathBuf,
+    },
     /// Two worksheets of one contract.
     #[error("the contract {} has two worksheets: {} and {}", contract.display(), first.display(), second.display())]
     #[diagnostic(help("rename one of them, or remove it"))]
@@ -130,6 +140,20 @@ impl Family {
         owners.find(|(owner, _)| *owner == kernel).map_or("", |(_, place)| place)
     }
 
+    /// The same without some kernels.
+    #[must_use]
+    pub fn without(&self, kernels: &BTreeSet<String>) -> Self {
+        let is_left = |kernel: &KernelContract| !kernels.contains(&kernel.name);
+        let of_results: Vec<bool> = self.contract.results().map(|(kernel, _)| is_left(kernel)).collect();
+        let mut left = self.clone();
+        left.contract.kernels.retain(is_left);
+        let mut each = of_results.iter();
+        left.references.retain(|_| each.next().copied().unwrap_or_default());
+        let mut each = of_results.iter();
+        left.places.retain(|_| each.next().copied().unwrap_or_default());
+        left
+    }
+
     /// A kernel's contract whose domain has every condition that its reference expressions need besides.
     pub fn completed(&self, kernel: &KernelContract) -> KernelContract {
         let own = self.results().filter(|(owner, ..)| owner.name == kernel.name);
@@ -164,6 +188,11 @@ pub fn families(folder: &Path) -> Result<Vec<Family>, FamilyError> {
     }
     families.sort_by(|one, other| one.name.cmp(&other.name));
     Ok(families)
+}
+
+/// The worksheets of a folder, by their names.
+pub fn worksheets_in(folder: &Path) -> Result<Vec<PathBuf>, ReadError> {
+    files(folder, &closedform_build::WORKSHEETS)
 }
 
 /// Refuses two worksheets of one contract.

@@ -15,6 +15,17 @@ pub struct Generated {
     pub files: BTreeMap<String, String>,
     /// What was made, in order.
     pub kernels: Vec<Made>,
+    /// What could not be made, where that must not stop the others.
+    pub refused: Vec<Refused>,
+}
+
+/// A kernel that could not be made, or was not proved.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Refused {
+    /// `family::name`
+    pub kernel: String,
+    /// Where its formula stands and why there is no kernel of it, in words.
+    pub because: String,
 }
 
 impl Generated {

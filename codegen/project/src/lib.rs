@@ -1,5 +1,6 @@
 //! A project on disk (worksheets, contracts, references, golden values) as values in memory, and Maxima as a process.
 
+mod beside;
 mod construct;
 pub mod contract;
 pub mod derive;

@@ -3,6 +3,7 @@
 mod child;
 mod error;
 mod guard;
+mod question;
 mod transcript;
 mod watch;
 
@@ -12,8 +13,10 @@ use std::time::Duration;
 
 pub use error::{LostMaxima, ProcessError, Used};
 pub use guard::Reaching;
+pub(crate) use guard::reaching;
 pub use transcript::Message;
 
+use super::beside::beside;
 use super::layout::Limits;
 use super::script::Script;
 use super::statements::statements;
@@ -65,19 +68,30 @@ impl Maxima {
     /// Runs the worksheet, then the driver: Maxima statements that call `closedform_say(text)` to send a message.
     /// Nothing is written outside a temporary folder, unless the worksheet may and does.
     pub fn run(&self, worksheet: &Path, driver: &str) -> Result<Vec<Message>, ProcessError> {
-        let script = Script::load(worksheet)?;
+        self.run_script(&Script::load(worksheet)?, worksheet, driver)
+    }
+
+    /// As [`run`](Self::run), of the text of the worksheet.
+    pub(crate) fn run_script(
+        &self,
+        script: &Script,
+        worksheet: &Path,
+        driver: &str,
+    ) -> Result<Vec<Message>, ProcessError> {
+        let beside = beside(worksheet, script.text());
         if !self.allow_system {
-            guard::check(&script)?;
+            guard::check(script, &beside)?;
         }
         let marks = Marks::new();
-        let places = places(&script)?;
+        let places = places(script)?;
         let folder = Folder::new().map_err(|cause| self.lost(LostMaxima::Files(cause)))?;
         let files = Files::new(folder.path());
-        let written = files.write(script.text(), driver, &marks, self.allow_system);
+        let written =
+            files.write(script.text(), driver, &marks, &guard::Allowed { system: self.allow_system, beside: &beside });
         written.map_err(|cause| self.lost(LostMaxima::Files(cause)))?;
         let home = worksheet.parent().filter(|home| !home.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let end = child::run(self, &files.arguments(), home, &marks, places.len()).map_err(|cause| self.lost(cause))?;
-        transcript::read(&end, &marks).map_err(|failure| failure.at(&script, &places))
+        transcript::read(&end, &marks).map_err(|failure| failure.at(script, &places))
     }
 
     /// How long a run may take that uses hardly any processor time.
@@ -137,11 +151,11 @@ impl Files {
         }
     }
 
-    fn write(&self, worksheet: &str, driver: &str, marks: &Marks, allow_system: bool) -> std::io::Result<()> {
+    fn write(&self, worksheet: &str, driver: &str, marks: &Marks, allowed: &guard::Allowed) -> std::io::Result<()> {
         let Marks { statement, question, message } = marks;
         // the variables with which a front end tells prompts and questions from results
         let lisp = format!("(setq *general-display-prefix* \"{statement}\" *prompt-prefix* \"{question}\")\n");
-        let guard = guard::lisp(message, &self.driver, &self.batch, allow_system);
+        let guard = guard::lisp(message, &self.driver, &self.batch, allowed);
         std::fs::write(&self.marks, format!("{lisp}{guard}"))?;
         std::fs::write(&self.batch, format!("{worksheet}\nload({:?})$\n", self.driver.display().to_string()))?;
         std::fs::write(&self.driver, format!("{SETTINGS}{driver}\nclosedform_say(\"{}\")$\n", transcript::END))

@@ -13,7 +13,7 @@ use std::path::Path;
 pub use error::ScriptError;
 
 use crate::source::{Cell, ReadError, Text};
-use crate::statements::unclosed;
+use crate::statements::{statements, unclosed};
 
 /// A worksheet as Maxima reads it. Places in its text are places in the person's own file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -86,6 +86,18 @@ impl Script {
         &self.text
     }
 
+    /// The same with blanks for the statements in which these places are.
+    pub(crate) fn without(&self, places: &[usize]) -> Self {
+        let mut text = self.text.clone();
+        for statement in statements(&self.text) {
+            if places.iter().any(|place| statement.place.contains(place)) {
+                let blanks: String = text[statement.place.clone()].chars().map(blanked).collect();
+                text.replace_range(statement.place, &blanks);
+            }
+        }
+        Self { text, shown: self.shown.clone() }
+    }
+
     /// What errors show; its places are those of [`text`](Self::text).
     #[must_use]
     pub fn shown(&self) -> Text {
@@ -96,6 +108,11 @@ impl Script {
     pub fn places(&self, starts: impl Iterator<Item = usize>) -> Vec<String> {
         self.shown.places(starts)
     }
+}
+
+/// Blanks of the same length, so that what stands behind keeps its place.
+fn blanked(letter: char) -> String {
+    if letter == '\n' { "\n".to_owned() } else { " ".repeat(letter.len_utf8()) }
 }
 
 #[cfg(test)]

@@ -5,45 +5,37 @@
 
 mod arrays;
 mod calls;
+mod closed;
+mod conditions;
+mod defined;
+mod differentiate;
 mod effects;
 mod evaluate;
 mod formula;
 mod numbers;
+mod reading;
 mod state;
 mod statements;
 mod tree;
+mod wanted;
 mod words;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-use closedform_maxima::{BinaryOperator, Error, Expr, ExprKind, Statement, mentions, parse_what_can_be};
+use closedform_maxima::{Expr, ExprKind, Statement, mentions, parse_what_can_be};
 
+pub(crate) use closed::closed;
+use defined::{Kind, definitions};
 use evaluate::Evaluator;
 pub(crate) use formula::Formula;
 use formula::Outcome;
+pub(crate) use reading::Reading;
 pub(crate) use state::Refusal;
 use state::{Binding, State, Stop};
 pub(crate) use statements::spelt;
-
-/// What a worksheet comes to.
-#[derive(Debug, Default)]
-pub(crate) struct Reading {
-    /// Its formulas, in the order in which their names are defined last.
-    pub(crate) formulas: Vec<Formula>,
-    /// Names without one, and why.
-    pub(crate) refused: Vec<(String, Refusal)>,
-    /// Names that stand for numbers, texts or settings.
-    pub(crate) constants: Vec<String>,
-    /// Names whose values were put into formulas.
-    pub(crate) inlined: BTreeSet<String>,
-    /// Definitions that later ones replace.
-    pub(crate) replaced: Vec<(String, Range<usize>)>,
-    /// Statements that are no formulas, each with a word for what it is.
-    pub(crate) passed: Vec<(String, Range<usize>)>,
-    /// What is no Maxima.
-    pub(crate) errors: Vec<Error>,
-}
+pub(crate) use wanted::{Wanted, is_about_numbers, wanted};
+pub(crate) use words::{COMPUTE, is_loading, is_package};
 
 /// The room that evaluation may take on the stack.
 const STACK: usize = 256 << 20;
@@ -61,13 +53,6 @@ pub(crate) fn read(text: &str, files: BTreeMap<String, String>) -> Reading {
 pub(crate) fn loaded(text: &str) -> Vec<String> {
     let loading = mentions(text).into_iter().filter(|mention| words::is_loading(&mention.name));
     loading.filter_map(|mention| mention.argument).collect()
-}
-
-/// How a name is defined.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Kind {
-    Function,
-    Variable,
 }
 
 struct Run {
@@ -96,7 +81,8 @@ impl Run {
         }
         self.harvest(&[]);
         self.reading.inlined = self.evaluator.used;
-        self.reading.formulas.sort_by_key(|formula| formula.span.start);
+        self.reading.passed.append(&mut self.evaluator.absent);
+        self.reading.refuse_clashes();
         self.reading
     }
 
@@ -111,7 +97,7 @@ impl Run {
             }
             Err(Stop::Return(value)) => value,
         };
-        if let Some(lost) = lost(&statement) {
+        if let Some(lost) = lost(&statement, &self.evaluator.files) {
             self.harvest(&lost);
         }
         self.note_definitions(&statement);
@@ -172,7 +158,7 @@ impl Run {
 }
 
 /// The names that lose what they stand for in a statement, whose formulas must be made before; an empty list for all.
-fn lost(statement: &Expr) -> Option<Vec<String>> {
+fn lost(statement: &Expr, files: &BTreeMap<String, String>) -> Option<Vec<String>> {
     let kills =
         |part: &Expr| part.as_call().is_some_and(|(name, _)| ["kill", "remvalue", "remfunction"].contains(&name));
     if let Some((_, names)) = statement.as_call().filter(|_| kills(statement)) {
@@ -180,40 +166,17 @@ fn lost(statement: &Expr) -> Option<Vec<String>> {
         let each = names.filter(|names| !names.iter().any(|name| ["all", "values", "functions"].contains(name)));
         return Some(each.unwrap_or_default().into_iter().map(str::to_owned).collect());
     }
-    let loads =
-        |part: &Expr| part.as_call().is_some_and(|(name, _)| words::is_loading(name) || words::is_sweeping(name));
+    let is_at_hand = |file: &Expr| match &file.kind {
+        ExprKind::String(name) | ExprKind::Symbol(name) => files.contains_key(name),
+        _ => false,
+    };
+    let loads = |part: &Expr| {
+        let call = part.as_call();
+        call.is_some_and(|(name, arguments)| {
+            words::is_sweeping(name) || words::is_loading(name) && arguments.iter().any(is_at_hand)
+        })
+    };
     tree::any(statement, &|part| kills(part) || loads(part)).then(Vec::new)
-}
-
-/// The names that a statement defines by itself.
-fn definitions(statement: &Expr) -> Vec<(String, Kind)> {
-    match &statement.kind {
-        ExprKind::Binary { operator: BinaryOperator::Define | BinaryOperator::DefineMacro, left, .. } => head(left),
-        ExprKind::Binary { operator: BinaryOperator::Assign, left, right } => {
-            let mut found = targets(left);
-            found.extend(definitions(right));
-            found
-        }
-        ExprKind::Call { .. } => match statement.as_call() {
-            Some(("define", [function, _])) => head(function),
-            _ => Vec::new(),
-        },
-        ExprKind::Sequence(items) => items.iter().flat_map(definitions).collect(),
-        ExprKind::Ev { expression, .. } => definitions(expression),
-        _ => Vec::new(),
-    }
-}
-
-fn head(head: &Expr) -> Vec<(String, Kind)> {
-    head.as_call().map(|(name, _)| (name.to_owned(), Kind::Function)).into_iter().collect()
-}
-
-fn targets(target: &Expr) -> Vec<(String, Kind)> {
-    match &target.kind {
-        ExprKind::Symbol(name) => vec![(name.clone(), Kind::Variable)],
-        ExprKind::List(items) => items.iter().flat_map(targets).collect(),
-        _ => Vec::new(),
-    }
 }
 
 /// What a statement is that no formula comes of, if it is worth a word.
@@ -223,7 +186,7 @@ fn passed_over(statement: &Expr) -> Option<String> {
         ExprKind::If { .. } => Some("a condition".to_owned()),
         ExprKind::Call { .. } => {
             let (name, _) = statement.as_call()?;
-            let quiet = name == "define" || (words::is_obeyed(name) && name != "load");
+            let quiet = name == "define" || words::is_obeyed(name) || words::is_loading(name) || name == ":lisp";
             (!quiet).then(|| format!("a call of `{name}`"))
         }
         _ => None,

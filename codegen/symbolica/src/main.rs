@@ -24,6 +24,12 @@ struct Cli {
     /// The module that they stand in
     #[arg(long)]
     module: Option<String>,
+    /// Refuse the worksheet if one of them cannot be made
+    #[arg(long, requires = "worksheet")]
+    strict: bool,
+    /// Leave out this kernel of the worksheet
+    #[arg(long, value_name = "KERNEL", requires = "worksheet")]
+    except: Vec<String>,
     /// Generate nothing: prove these kernels equal to what Maxima derives from the worksheets of the folder
     #[arg(long, requires = "folder")]
     kernels: Option<PathBuf>,
@@ -32,7 +38,10 @@ struct Cli {
 impl Cli {
     fn task(self) -> Option<Task> {
         match (self.folder, self.worksheet, self.kernels) {
-            (_, Some(worksheet), _) => self.module.map(|module| Task::Worksheet(worksheet, module)),
+            (_, Some(worksheet), _) => {
+                let (strict, except) = (self.strict, self.except.into_iter().collect());
+                self.module.map(|module| Task::Worksheet { worksheet, module, strict, except })
+            }
             (Some(folder), _, Some(kernels)) => Some(Task::Rederived { folder, kernels }),
             (folder, ..) => folder.map(Task::Folder),
         }

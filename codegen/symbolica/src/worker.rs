@@ -1,7 +1,7 @@
 //! The generator at work: it generates or proves, says how far it is, and ends with the command that asked.
 
 use crate::ALGEBRA;
-use closedform_generator::pipeline::{PipelineError, all, generate, kernels_refused, unproved};
+use closedform_generator::pipeline::{PipelineError, all, generate, generate_what_can_be, kernels_refused, unproved};
 use closedform_project::derive::{DeriveError, Options, rederive};
 use closedform_project::family::{Family, FamilyError, families};
 use closedform_project::generated::{Generated, Word, would_be_fine};
@@ -9,6 +9,7 @@ use closedform_project::layout::Limits;
 use closedform_system::limit::LimitError;
 use miette::Diagnostic;
 use rustix::process::{Signal, getpid, kill_process};
+use std::collections::BTreeSet;
 use std::io;
 use std::os::unix::process::parent_id;
 use std::path::{Path, PathBuf};
@@ -21,8 +22,17 @@ use thiserror::Error;
 pub enum Task {
     /// All families of a folder are generated.
     Folder(PathBuf),
-    /// One worksheet is generated, as a module of this name.
-    Worksheet(PathBuf, String),
+    /// One worksheet is generated.
+    Worksheet {
+        /// The worksheet.
+        worksheet: PathBuf,
+        /// The module that its kernels stand in.
+        module: String,
+        /// Whether nothing of it may be left out.
+        strict: bool,
+        /// Kernels that are not tried.
+        except: BTreeSet<String>,
+    },
     /// Nothing is generated: the kernels of a folder are proved equal to what Maxima derives from the worksheets of another.
     Rederived {
         /// The worksheets.
@@ -74,10 +84,11 @@ pub enum WorkError {
 pub fn work(task: &Task, parent: u32) -> Result<(), WorkError> {
     thread::spawn(move || end_with(parent));
     let generated = match task {
-        Task::Folder(folder) => generated(&families(folder)?)?,
+        Task::Folder(folder) => generated(&families(folder)?, true)?,
         // the command has said what is wrong with the formulas that are not there
-        Task::Worksheet(worksheet, module) => {
-            generated(&[Family { name: module.clone(), ..Family::sheet(worksheet)?.family }])?
+        Task::Worksheet { worksheet, module, strict, except } => {
+            let family = Family { name: module.clone(), ..Family::sheet(worksheet)?.family };
+            generated(&[family.without(except)], *strict)?
         }
         Task::Rederived { folder, kernels } => {
             rederived(folder, kernels)?;
@@ -95,10 +106,14 @@ fn end_with(parent: u32) {
     _ = kill_process(getpid(), Signal::KILL);
 }
 
-fn generated(families: &[Family]) -> Result<Generated, WorkError> {
+fn generated(families: &[Family], strict: bool) -> Result<Generated, WorkError> {
     let kernels = families.iter().map(|family| family.contract.kernels.len()).sum();
     Word::Kernels(kernels).send()?;
-    generate(ALGEBRA, families, making).map_err(|causes| {
+    let made = match strict {
+        true => generate(ALGEBRA, families, making),
+        false => generate_what_can_be(ALGEBRA, families, making),
+    };
+    made.map_err(|causes| {
         let fine = kernels.saturating_sub(kernels_refused(&causes));
         WorkError::Pipeline { causes, fine }
     })

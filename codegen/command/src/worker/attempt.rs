@@ -90,8 +90,12 @@ fn start(generator: &Path, source: &Source, turn: &Turn) -> io::Result<Child> {
     generator.arg("--parent").arg(std::process::id().to_string());
     match source {
         Source::Folder(folder) => generator.arg("--folder").arg(folder),
-        Source::Worksheet { worksheet, module } => {
-            generator.arg("--worksheet").arg(worksheet).arg("--module").arg(module)
+        Source::Worksheet { worksheet, module, strict, except } => {
+            if *strict {
+                generator.arg("--strict");
+            }
+            let except = except.iter().map(|kernel| format!("--except={kernel}"));
+            generator.args(except).arg("--worksheet").arg(worksheet).arg("--module").arg(module)
         }
         Source::Rederived { folder, kernels, maxima } => {
             if maxima.allow_system {

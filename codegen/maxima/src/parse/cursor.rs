@@ -1,8 +1,10 @@
 //! A place among the tokens.
 
 use std::ops::Range;
+use std::rc::Rc;
 
 use crate::error::Error;
+use crate::operator::{Form, Operator};
 use crate::token::{HIDE, Token, TokenKind, WORDS};
 
 use super::NESTING_LIMIT;
@@ -10,14 +12,37 @@ use super::NESTING_LIMIT;
 /// A place among the tokens, and how deep the expression around it is nested.
 pub(super) struct Cursor<'a> {
     tokens: &'a [Token],
+    operators: &'a [Rc<Operator>],
     position: usize,
     depth: usize,
 }
 
 impl<'a> Cursor<'a> {
-    /// Before the first of `tokens`, the last of which is the end.
-    pub fn new(tokens: &'a [Token]) -> Self {
-        Self { tokens, position: 0, depth: 0 }
+    /// Before the first of `tokens`, the last of which is the end; with the operators that the text declares.
+    pub fn new(tokens: &'a [Token], operators: &'a [Rc<Operator>]) -> Self {
+        Self { tokens, operators, position: 0, depth: 0 }
+    }
+
+    /// The declared operator here that stands before its operands, or between or behind them.
+    pub fn declared(&self, before: bool) -> Option<Rc<Operator>> {
+        let TokenKind::Declared(name) = self.kind() else { return None };
+        let stands_before = |form: &Form| matches!(form, Form::Prefix | Form::Match(_) | Form::Nofix);
+        let fits = |operator: &&Rc<Operator>| operator.name == *name && stands_before(&operator.form) == before;
+        self.operators.iter().find(fits).cloned()
+    }
+
+    /// Goes behind the declared operator here if it is called so.
+    pub fn take_declared(&mut self, name: &str) -> bool {
+        let found = matches!(self.kind(), TokenKind::Declared(here) if here == name);
+        if found {
+            self.advance();
+        }
+        found
+    }
+
+    /// Whether the text declares an operator of this name.
+    pub fn is_declared(&self, name: &str) -> bool {
+        self.operators.iter().any(|operator| operator.name == name)
     }
 
     fn token(&self) -> &'a Token {

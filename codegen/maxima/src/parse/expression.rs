@@ -5,6 +5,7 @@ use std::ops::Range;
 use crate::ast::{BinaryOperator, Branch, Expr, ExprKind, LoopClause, LoopWord, Quoting, UnaryOperator};
 use crate::error::Error;
 use crate::grammar::{APPLICATION, BODY, COMMA, CONDITION, DELIMITER, Mode, POSTFIX, Power, QUOTE};
+use crate::operator::{Form, Operator};
 use crate::token::TokenKind;
 
 use super::HEIGHT_LIMIT;
@@ -74,6 +75,9 @@ fn is_loop_word(mark: &str) -> bool {
 
 /// How strongly the token here binds the expression before it.
 fn power_here(cursor: &Cursor) -> Power {
+    if let Some(operator) = cursor.declared(false) {
+        return operator.left;
+    }
     match cursor.mark() {
         Some("(" | "[") => APPLICATION,
         Some("!" | "!!") => POSTFIX,
@@ -102,6 +106,7 @@ fn begin(cursor: &mut Cursor) -> Result<Parsed> {
         TokenKind::String(text) => ExprKind::String(text),
         TokenKind::Symbol(name) => ExprKind::Symbol(name),
         TokenKind::Mark(mark) => return begin_with_mark(cursor, mark),
+        TokenKind::Declared(name) => return begin_with_declared(cursor, name),
         TokenKind::End => return Err(cursor.no_expression()),
     };
     cursor.advance();
@@ -121,6 +126,54 @@ fn begin_with_mark(cursor: &mut Cursor, mark: &'static str) -> Result<Parsed> {
             None => Err(cursor.no_expression()),
         },
     }
+}
+
+/// A declared operator before its operands; any other one is a name.
+fn begin_with_declared(cursor: &mut Cursor, name: String) -> Result<Parsed> {
+    let (start, operator) = (cursor.span().start, cursor.declared(true));
+    cursor.advance();
+    let Some(operator) = operator else {
+        return Ok(Parsed::leaf(ExprKind::Symbol(name), start..cursor.end_of_previous()));
+    };
+    let (operands, height) = match &operator.form {
+        Form::Prefix => {
+            let inner = expression(cursor, operator.right)?;
+            (vec![inner.expression], inner.height)
+        }
+        Form::Match(closing) => {
+            let operands = list(cursor)?;
+            if !cursor.take_declared(closing) {
+                return Err(cursor.unexpected("the closing operator"));
+            }
+            operands
+        }
+        _ => (Vec::new(), 0),
+    };
+    called(cursor, start, &operator.name, operands, height)
+}
+
+/// A declared operator behind or between its operands.
+fn go_on_with_declared(cursor: &mut Cursor, left: Parsed, operator: &Operator) -> Result<Parsed> {
+    let (start, mut height) = (left.expression.span.start, left.height);
+    let mut operands = vec![left.expression];
+    cursor.advance();
+    if operator.form != Form::Postfix {
+        loop {
+            let right = expression(cursor, operator.right)?;
+            height = height.max(right.height);
+            operands.push(right.expression);
+            if operator.form != Form::Nary || !cursor.take_declared(&operator.name) {
+                break;
+            }
+        }
+    }
+    called(cursor, start, &operator.name, operands, height)
+}
+
+/// A call of the function that a declared operator means.
+fn called(cursor: &Cursor, start: usize, name: &str, arguments: Vec<Expr>, height: usize) -> Result<Parsed> {
+    let function = Expr::new(ExprKind::Symbol(name.to_owned()), start..cursor.end_of_previous());
+    node(cursor, start, ExprKind::Call { function: Box::new(function), arguments }, Mode::Any, height)
 }
 
 fn prefix(cursor: &mut Cursor, operator: UnaryOperator) -> Result<Parsed> {
@@ -276,6 +329,9 @@ fn go_together(earlier: LoopWord, later: LoopWord) -> bool {
 
 /// What `left` becomes with the operator, argument list or subscript here.
 fn go_on(cursor: &mut Cursor, left: Parsed) -> Result<Parsed> {
+    if let Some(operator) = cursor.declared(false) {
+        return go_on_with_declared(cursor, left, &operator);
+    }
     let mark = cursor.mark().unwrap_or_default();
     if let "(" | "[" = mark {
         return apply(cursor, left, mark);
@@ -292,6 +348,12 @@ fn go_on(cursor: &mut Cursor, left: Parsed) -> Result<Parsed> {
 fn apply(cursor: &mut Cursor, function: Parsed, bracket: &str) -> Result<Parsed> {
     if let ExprKind::Integer(_) | ExprKind::Float(_) | ExprKind::BigFloat(_) = function.expression.kind {
         return Err(cursor.unexpected("an operator: a number is no function"));
+    }
+    let mut function = function;
+    if let ExprKind::String(name) = &function.expression.kind
+        && cursor.is_declared(name)
+    {
+        function.expression.kind = ExprKind::Symbol(name.clone());
     }
     let (start, below) = (function.expression.span.start, function.height);
     let (kind, height) = if bracket == "(" {

@@ -42,6 +42,15 @@ pub enum DeriveError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Write(#[from] WriteError),
+    /// Nothing is left that could be a formula.
+    #[error("{} leaves no formula{}", path.display(), passed.iter().map(|line| format!("\n{line}")).collect::<String>())]
+    #[diagnostic(help("give what it computes a name: `name: formula$`, or `f(x):=formula$`"))]
+    Nothing {
+        /// The worksheet.
+        path: PathBuf,
+        /// What was passed over.
+        passed: Vec<String>,
+    },
     /// The worksheet lacks a function.
     #[error("{} defines no function `{worksheet}`, which the kernel `{kernel}` needs", path.display())]
     #[diagnostic(help(

@@ -260,3 +260,48 @@ fn children_of_maxima_count() {
     has(&report, &["did not finish in 2 s of processor time", "family.mac:2:1", "--limit"]);
     assert!(start.elapsed() < Duration::from_secs(60));
 }
+
+/// The text that Maxima leaves of a worksheet without a contract, without its first lines; and what was passed over.
+fn left(files: &[(&str, &str)]) -> Result<(String, Vec<String>), String> {
+    let folder = tempfile::tempdir().unwrap();
+    files.iter().for_each(|(name, text)| std::fs::write(folder.path().join(name), text).unwrap());
+    let path = folder.path().join(files[0].0);
+    let sheet = derive_sheet(&path, &options(Duration::from_secs(60))).map_err(|error| drawn(&error))?;
+    sheet.write().unwrap();
+    let family = crate::family::Family::sheet(&path).unwrap();
+    assert!(family.summary.lines[0].contains("that Maxima derived"), "{:?}", family.summary);
+    let text = sheet.text.lines().skip(3).collect::<Vec<_>>().join("\n");
+    std::fs::write(&path, "f(x) := x$").unwrap();
+    has(&drawn(&crate::family::Family::sheet(&path).unwrap_err()), &["derived from another", "closedform derive"]);
+    Ok((text, sheet.passed))
+}
+
+#[test]
+fn a_worksheet_without_a_contract_leaves_formulas() {
+    let text = "assume(a > 0)$ s: solve(x^2 = a, x)$ root: rhs(s[2])$ plot2d(x, [x,0,1])$\n\
+                area(r) := integrate(2*t*a, t, 0, r)$ load(\"elsewhere\")$ loud(x) := print(x)$ word: done$ k: 3$";
+    let (text, passed) = left(&[("calc.mac", text)]).unwrap();
+    assert_eq!(text, "assume(a > 0)$\ns:[x = -sqrt(a),x = sqrt(a)]$\nroot:sqrt(a)$\narea(r):=a*r^2$\nk:3$");
+    has(&passed.join("; "), &["line 1: passed over: it calls `plot2d`", "load(\"elsewhere\")", "`loud`: a program"]);
+}
+
+#[test]
+fn worksheets_beside_are_run_too_and_guarded_as_well() {
+    let main = ("main.mac", "load(\"part.mac\")$ y: diff(h(t), t)$");
+    let (text, _) = left(&[main, ("part.mac", "g: 10$ h(x) := g*x^2$")]).unwrap();
+    assert_eq!(text, "y:20*t$");
+    let said = left(&[main, ("part.mac", "h(x) := x$ apply(concat(sys, tem), [\"touch made\"])$")]).unwrap_err();
+    has(&said, &["reaches beyond the worksheet"]);
+    let said = left(&[main, ("part.mac", "h(x) := x$ system(\"touch made\")$")]).unwrap_err();
+    has(&said, &["the worksheet calls `system`", "part.mac"]);
+}
+
+#[test]
+fn questions_are_answered_where_they_are_asked() {
+    let said = left(&[("calc.mac", "x: 1$\ny: integrate(t^n, t)$")]).unwrap_err();
+    has(&said, &["Maxima asks: Is n equal to - 1?", "assume(notequal(n,- 1))$", "calc.mac:2:1"]);
+    let (text, passed) = left(&[("calc.mac", "f(n) := integrate(t^n, t)$ g(x) := x+1$")]).unwrap();
+    assert_eq!(text, "g(x):=x+1$", "a function that asks is passed over");
+    has(&passed.join("; "), &["`f`: Maxima has no value", "Maxima asks: Is n equal to"]);
+    has(&left(&[("calc.mac", "solve(x, x)$")]).unwrap_err(), &["leaves no formula"]);
+}

@@ -51,9 +51,11 @@ pub fn lower(ast: &Ast) -> Result<Expr, LowerError> {
         ExprKind::Unary { operator: UnaryOperator::Plus, operand } => lower(operand),
         ExprKind::Binary { operator, left, right } => binary(*operator, left, right, ast),
         ExprKind::Call { .. } => call(ast),
-        ExprKind::If { .. } => {
-            Err(unsupported(ast, "an `if`", "define one function for each case, each with its own domain"))
-        }
+        ExprKind::If { .. } => Err(unsupported(
+            ast,
+            "an `if`",
+            "branches are not known yet: define one function for each case, each with its own domain",
+        )),
         _ => Err(unsupported(ast, "this", "write a formula of + - * / ^ sqrt abs and numbers")),
     }
 }
@@ -252,6 +254,9 @@ pub fn known_functions() -> String {
     format!("{of_table}, {composed}, max(x, y, ..), min(x, y, ..)")
 }
 
+/// What is said before the name of a function that is not known.
+pub const UNKNOWN_FUNCTION: &str = "unknown function ";
+
 fn call(ast: &Ast) -> Result<Expr, LowerError> {
     let Some((name, arguments)) = ast.as_call() else {
         return Err(unsupported(ast, "this call", "write a formula of + - * / ^ sqrt abs and numbers"));
@@ -281,7 +286,7 @@ fn call(ast: &Ast) -> Result<Expr, LowerError> {
             span: ast.span.clone(),
         }),
         _ => Err(LowerError {
-            what: format!("unknown function `{name}`"),
+            what: format!("{UNKNOWN_FUNCTION}`{name}`"),
             remedy: format!(
                 "known are {} and positive_root(polynomial, x); define any other function in the worksheet",
                 known_functions()

@@ -4,8 +4,8 @@ mod composed;
 mod lower;
 
 pub use lower::{
-    LowerError, is_function_of_one, is_known_constant, is_known_function, is_of_roots, known_functions, lower,
-    lower_errors, remedy_of_constant, remedy_of_function,
+    LowerError, UNKNOWN_FUNCTION, is_function_of_one, is_known_constant, is_known_function, is_of_roots,
+    known_functions, lower, lower_errors, remedy_of_constant, remedy_of_function,
 };
 
 use closedform_maxima::parse_expression;

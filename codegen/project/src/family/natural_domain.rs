@@ -19,14 +19,23 @@ use surds::{Clause, Decision};
 /// Of sums of two terms with square roots, squares decide, and cubes of those with cube roots. Any other condition whose
 /// sides are no rational functions is left out: it cannot be decided exactly.
 pub(super) fn natural_domain(body: &Expr, parameters: &[String]) -> Vec<(String, Condition)> {
+    all(body, parameters).filter_map(|(text, condition)| Some((text, condition?))).collect()
+}
+
+/// Those conditions that cannot be decided exactly, as people read them.
+pub(super) fn left_open(body: &Expr, parameters: &[String]) -> Vec<String> {
+    all(body, parameters).filter_map(|(text, condition)| condition.is_none().then_some(text)).collect()
+}
+
+/// All conditions, with their exact forms if they have any.
+fn all(body: &Expr, parameters: &[String]) -> impl Iterator<Item = (String, Option<Condition>)> {
     let mut needs = Needs::default();
     needs.collect(body);
-    let conditions = needs.0.into_iter().filter_map(|(text, clauses)| {
+    needs.0.into_iter().filter_map(|(text, clauses)| {
         let clauses = clauses.into_iter().filter_map(|clause| joined(BinaryOperator::And, clause));
-        let condition = Condition::read(&joined(BinaryOperator::Or, clauses)?, parameters).ok()?;
+        let condition = Condition::read(&joined(BinaryOperator::Or, clauses)?, parameters).ok();
         Some((text, condition))
-    });
-    conditions.collect()
+    })
 }
 
 /// Conditions in the order in which they were met, each as people read it and as clauses of which one must hold.
@@ -209,6 +218,13 @@ mod tests {
     fn what_cannot_be_decided_exactly_is_left_out() {
         assert_eq!(texts("sqrt(1-sqrt(1+sqrt(x)))", &["x"]), ["x >= 0"]);
         assert_eq!(texts("1/(sqrt(x)+sqrt(y)-sqrt(z))", &["x", "y", "z"]), ["x >= 0", "y >= 0", "z >= 0"]);
+    }
+
+    #[test]
+    fn what_is_left_open_is_known() {
+        let open = |formula: &str| left_open(&parse_expression(formula).unwrap(), &["x".to_owned(), "y".to_owned()]);
+        assert_eq!(open("sqrt(1-sqrt(1+sqrt(x)))/y"), ["1-sqrt(1+sqrt(x)) >= 0"]);
+        assert_eq!(open("sqrt(x)/(1+sqrt(y))"), [""; 0]);
     }
 
     #[test]

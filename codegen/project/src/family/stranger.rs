@@ -8,15 +8,20 @@ mod summary;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use closedform_build::{Stamp, hash};
+
 use super::super::contract::{self, Contract, FamilyInfo, Input, KernelContract, ResultContract, TYPICAL};
 use super::super::domain::Domain;
 use super::super::script::Script;
+use super::super::source;
 use super::super::worksheet;
-use super::{Family, FamilyError, Paths};
+use super::{Family, FamilyError, Paths, natural_domain};
+use crate::beside::beside;
 use crate::worksheet::Formula;
+use closedform_maxima::Definition;
 use judged::{Judged, Sound, assumptions_of};
 pub use mistake::{WorksheetError, WorksheetMistake};
-pub use summary::Summary;
+pub use summary::{Passed, Summary};
 
 /// What of a worksheet can become kernels.
 #[derive(Debug)]
@@ -59,36 +64,58 @@ pub(super) fn load(path: &Path) -> Result<Sheet, FamilyError> {
         }
         contract => contract,
     };
-    let script = Script::load(path)?;
-    let judged = Judged::new(script.text(), files_beside(path, script.text()));
+    let is_derived = contract.is_none() && derived(&paths)?;
+    let script = Script::load(if is_derived { &paths.reference } else { path })?;
+    let reading = match is_derived {
+        true => worksheet::closed(script.text()),
+        false => worksheet::read(script.text(), files_beside(path, script.text())),
+    };
+    let judged = Judged::new(script.text(), reading);
+    let needs_maxima = judged.reading.refused.iter().any(|(_, because)| because.remedy == worksheet::COMPUTE);
     let mut contract = contract.unwrap_or_else(|| contract_of(&file_name(path), &judged.reading.formulas));
     let (sound, mistakes) = judged.against(&contract);
-    let Sound { kernels, references, summary } = sound;
+    let Sound { kernels, references, mut summary } = sound;
+    for kernel in &kernels {
+        let own = |reference: &&Definition| kernel.results.iter().any(|result| result.worksheet == reference.name);
+        let bodies = references.iter().filter(own).map(|reference| &reference.body);
+        let open: Vec<String> = bodies.flat_map(|body| natural_domain::left_open(body, &kernel.inputs)).collect();
+        if !open.is_empty() {
+            let (name, open) = (&kernel.name, open.join("`, `"));
+            summary
+                .lines
+                .push(format!("`{name}` needs `{open}` too, which is left open: it is no condition of its domain"));
+        }
+    }
+    if is_derived {
+        let note = format!("the formulas are those that Maxima derived: {}", paths.reference.display());
+        summary.lines.insert(0, note);
+    } else if needs_maxima {
+        summary.lines.push(format!("what must be computed: `closedform derive {}` lets Maxima do it", path.display()));
+    }
     contract.kernels = kernels;
     let error = (!mistakes.is_empty()).then(|| WorksheetError::new(path, script.shown(), mistakes));
     let places = script.places(references.iter().map(|reference| reference.span.start));
     Ok(Sheet { family: Family { name, contract, references, places, paths }, error, summary })
 }
 
+/// Whether Maxima has derived formulas from a worksheet as it is now.
+fn derived(paths: &Paths) -> Result<bool, FamilyError> {
+    if !paths.reference.exists() {
+        return Ok(false);
+    }
+    let [reference, worksheet] = [&paths.reference, &paths.worksheet].map(|path| source::read_bytes(path));
+    let (reference, worksheet) = (reference?, worksheet?);
+    let stamp = Stamp::read(&String::from_utf8_lossy(&reference));
+    match stamp.is_some_and(|stamp| stamp.inputs == hash([&*worksheet])) {
+        true => Ok(true),
+        false => Err(FamilyError::Stale { reference: paths.reference.clone(), worksheet: paths.worksheet.clone() }),
+    }
+}
+
 /// The texts of worksheets beside this one, by the names under which it mentions them.
 fn files_beside(path: &Path, text: &str) -> BTreeMap<String, String> {
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let mut found = BTreeMap::new();
-    let mut open = vec![text.to_owned()];
-    while let Some(text) = open.pop() {
-        for name in worksheet::loaded(&text) {
-            let stays = Path::new(&name).components().all(|part| matches!(part, std::path::Component::Normal(_)));
-            let candidates = [folder.join(&name), folder.join(format!("{name}.mac"))];
-            let file = candidates.iter().find(|file| stays && file.is_file() && *file != path);
-            if let Some(script) = file.and_then(|file| Script::load(file).ok())
-                && !found.contains_key(&name)
-            {
-                open.push(script.text().to_owned());
-                found.insert(name, script.text().to_owned());
-            }
-        }
-    }
-    found
+    let files = beside(path, text).into_iter();
+    files.map(|(name, file)| (name, file.script.text().to_owned())).collect()
 }
 
 /// How the names of files of FPCores end.

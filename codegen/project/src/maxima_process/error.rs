@@ -44,8 +44,10 @@ pub enum ProcessError {
     },
     /// Maxima asked a question.
     #[error("Maxima asks: {question}")]
-    #[diagnostic(help("answer it in the worksheet beforehand, e.g. with assume(..)"))]
+    #[diagnostic(help("{remedy}"))]
     Asked {
+        /// Statements that answer it, and where to put them.
+        remedy: String,
         /// What Maxima wants to know.
         question: String,
         /// The worksheet.

@@ -10,6 +10,20 @@
 
 ;; Where files may be loaded from: what comes with Maxima, and our own two files.
 (defvar *closedform-own* (list @DRIVER@ @BATCH@))
+;; Worksheets beside the one that is run: they may be loaded, and are run as it is.
+(defvar *closedform-beside* '(@BESIDE@))
+(when *closedform-beside*
+  (setq $file_search_maxima (list* '(mlist) "###.mac" (cdr $file_search_maxima))))
+
+(defun closedform-place (file)
+  (let ((found (and (or (stringp file) (symbolp file))
+                    ($file_search1 file '((mlist) $file_search_maxima $file_search_lisp)))))
+    (and (stringp found) (namestring (truename found)))))
+
+(defun closedform-stands-beside (file)
+  (and *closedform-beside*
+       (member (closedform-place file) *closedform-beside* :test #'equal)))
+
 (defvar *closedform-shipped* (remove nil (list *maxima-sharedir* *maxima-srcdir*)))
 
 ;; The driver's own functions; installed once more when it is loaded, whatever the worksheet called so.
@@ -60,6 +74,7 @@
                         ($file_search1 file '((mlist) $file_search_maxima $file_search_lisp))))))
     (and (stringp found)
          (or (member found *closedform-own* :test #'string=)
+             (closedform-stands-beside file)
              (let ((place (namestring (truename found))))
                (some #'(lambda (folder)
                        (let ((folder (ignore-errors (namestring (truename (concatenate 'string folder "/"))))))
@@ -73,9 +88,21 @@
           #'(lambda (file &rest more)
             (unless (closedform-may-load file) (closedform-refuse function-name))
             (when (equal file (first *closedform-own*)) (closedform-install-messages))
-            (prog1 (let ((*closedform-shipped-text* (not (equal file (second *closedform-own*)))))
+            (prog1 (let ((*closedform-shipped-text*
+                           (not (or (equal file (second *closedform-own*))
+                                    (and (not (member file *closedform-own* :test #'equal))
+                                         (closedform-stands-beside file))))))
                      (apply original file more))
               (closedform-replace-all))))))
+
+;; From here on a question is an error of the statement that asks it.
+(setf (symbol-function '$closedform_ask_nothing)
+      #'(lambda ()
+          (setf (symbol-function 'retrieve)
+                #'(lambda (message &rest more)
+                    (declare (ignore more))
+                    (merror "Maxima asks: ~A" (if (consp message) (apply #'$sconcat (cdr message)) message))))
+          '$done))
 
 (closedform-install-messages)
 

@@ -4,12 +4,14 @@
 //! replaced, because names can be put together at run time. It keeps worksheets of others from what they have no business
 //! with. It is no sandbox: Maxima is a Lisp with the rights of its user.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use closedform_maxima::{Mention, mentions};
 use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
+use super::super::beside::Beside;
 use super::super::script::Script;
 use super::super::source::Text;
 
@@ -113,39 +115,70 @@ pub struct Reaching {
     place: SourceSpan,
 }
 
-/// Refuses a worksheet that calls, quotes or hands on a name that reaches beyond it.
-pub(super) fn check(script: &Script) -> Result<(), Box<Reaching>> {
-    let reaching = mentions(script.text()).into_iter().find_map(|mention| Some((reach(&mention)?, mention)));
-    reaching.map_or(Ok(()), |(what, mention)| {
-        let (text, place) = (script.shown(), mention.span.into());
-        Err(Box::new(Reaching { name: mention.name, what, text, place }))
-    })
+/// What a worksheet may do besides computing.
+pub(super) struct Allowed<'a> {
+    /// Start programs, touch files and run Lisp.
+    pub(super) system: bool,
+    /// Load these files, which are checked as it is.
+    pub(super) beside: &'a BTreeMap<String, Beside>,
+}
+
+/// Refuses a worksheet that calls, quotes or hands on a name that reaches beyond it, and the worksheets beside it that it
+/// loads.
+pub(super) fn check(script: &Script, beside: &BTreeMap<String, Beside>) -> Result<(), Box<Reaching>> {
+    let scripts = std::iter::once(script).chain(beside.values().map(|file| &file.script));
+    for script in scripts {
+        let reaching =
+            mentions(script.text()).into_iter().find_map(|mention| Some((reach(&mention, beside)?, mention)));
+        if let Some((what, mention)) = reaching {
+            let (text, place) = (script.shown(), mention.span.into());
+            return Err(Box::new(Reaching { name: mention.name, what, text, place }));
+        }
+    }
+    Ok(())
+}
+
+/// The places in a worksheet that reach beyond it, each with the name that does.
+pub(crate) fn reaching(script: &Script, beside: &BTreeMap<String, Beside>) -> Vec<(usize, String)> {
+    let reaching = mentions(script.text()).into_iter().filter(|mention| reach(mention, beside).is_some());
+    reaching.map(|mention| (mention.span.start, mention.name)).collect()
+}
+
+/// Whether a function draws.
+fn draws(name: &str) -> bool {
+    DRAWING.iter().any(|start| name.starts_with(start))
 }
 
 /// What the name does that a worksheet has no need of.
-fn reach(mention: &Mention) -> Option<&'static str> {
+fn reach(mention: &Mention, beside: &BTreeMap<String, Beside>) -> Option<&'static str> {
     let name = mention.name.as_str();
     if name.starts_with('?') || name == ":lisp" {
         return Some("it is Lisp, which can do anything");
     }
     if LOADING.contains(&name) {
+        if mention.argument.as_ref().is_some_and(|name| beside.contains_key(name)) {
+            return None;
+        }
         let package = mention.argument.as_deref().is_some_and(|name| !name.contains(['/', '\\', '.']));
-        return (!package).then_some("only packages that come with Maxima are loaded, by their plain names");
+        return (!package)
+            .then_some("only packages of Maxima are loaded, by their plain names, and worksheets beside this one");
     }
-    let drawing = DRAWING.iter().any(|start| name.starts_with(start));
-    (drawing || REFUSED.contains(&name)).then_some("it starts a program, touches files or runs Lisp")
+    (draws(name) || REFUSED.contains(&name)).then_some("it starts a program, touches files or runs Lisp")
 }
 
 /// The Lisp that Maxima loads before the worksheet: `mark` begins a message of the driver, which is one of our two files.
-pub(super) fn lisp(mark: &str, driver: &Path, batch: &Path, allow_system: bool) -> String {
+pub(super) fn lisp(mark: &str, driver: &Path, batch: &Path, allowed: &Allowed) -> String {
     let list = |names: &[&str]| names.iter().map(|name| string(name)).collect::<Vec<_>>().join(" ");
     let path = |path: &Path| string(&path.display().to_string());
+    let whole = |file: &Beside| file.path.canonicalize().ok().map(|whole| path(&whole));
+    let beside: Vec<String> = allowed.beside.values().filter_map(whole).collect();
     LISP.replace("@MARK@", &string(mark))
         .replace("@DRIVER@", &path(driver))
         .replace("@BATCH@", &path(batch))
         .replace("@REFUSED@", &list(&REFUSED))
         .replace("@DRAWING@", &list(&DRAWING))
-        .replace("@GUARDED@", if allow_system { "nil" } else { "t" })
+        .replace("@BESIDE@", &beside.join(" "))
+        .replace("@GUARDED@", if allowed.system { "nil" } else { "t" })
 }
 
 /// A string of Lisp.
@@ -176,7 +209,7 @@ mod tests {
             ("draw3d(explicit(x,x,0,1))$", "draw3d"),
             ("eval_string(\"system(1)\")$", "system"),
         ] {
-            let said = drawn(check(&script(text)).expect_err(text).as_ref());
+            let said = drawn(check(&script(text), &BTreeMap::new()).expect_err(text).as_ref());
             has(&said, &[&format!("the worksheet calls `{name}`"), "my.mac", "--allow-system"]);
         }
     }
@@ -184,6 +217,6 @@ mod tests {
     #[test]
     fn what_computes_is_let_through() {
         let text = "load(facexp)$ load(\"diag\")$ system: [a=1]$ load: 3$ solve(system, a)$ printed(e):=eval_string(string(e))$";
-        assert!(check(&script(text)).is_ok());
+        assert!(check(&script(text), &BTreeMap::new()).is_ok());
     }
 }

@@ -6,6 +6,7 @@ use super::super::script::Script;
 use super::Marks;
 use super::child::{Ending, Run};
 use super::error::{LostMaxima, ProcessError, Used};
+use super::question;
 
 /// The driver's last message.
 pub(super) const END: &str = "end";
@@ -135,7 +136,12 @@ impl Failure {
         let text = script.shown();
         let place = self.statement.and_then(|statement| places.get(statement)).map(|place| place.clone().into());
         match self.kind {
-            Kind::Asked(question) => ProcessError::Asked { question, text, place },
+            Kind::Asked(question) => {
+                let start = place.map(|place: miette::SourceSpan| place.offset());
+                let start = start.and_then(|start| text.places([start].into_iter()).pop());
+                let remedy = question::remedy(&question, start.as_deref());
+                ProcessError::Asked { remedy, question, text, place }
+            }
             Kind::Failed(message) => ProcessError::Failed { message, text, place },
             Kind::OutOfTime(used) => ProcessError::OutOfTime { used, text, place },
             Kind::TooMuchOutput => ProcessError::TooMuchOutput { text, place },

@@ -67,6 +67,14 @@ impl Evaluator {
         match self.state.variables.get(&key(name, &indices)).cloned() {
             Some(Binding::Value(value)) => Ok((*value).clone()),
             Some(Binding::Unknown(because)) => Err(elsewhere(&because, span).into()),
+            None if let Some(function) = self.state.arrays.get(name).cloned() => {
+                let value = self.apply(name, &function, indices.clone(), span)?;
+                // Maxima keeps what it has computed once
+                if self.is_decided() {
+                    self.state.variables.insert(key(name, &indices), Binding::Value(Rc::new(value.clone())));
+                }
+                Ok(value)
+            }
             None if self.state.functions.contains_key(name) => {
                 let because = self.state.functions[name].parameters.clone().err();
                 let what = "a function is called with its arguments in brackets";

@@ -6,11 +6,12 @@ use std::rc::Rc;
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation};
 
 use super::arrays::{self, determinant, transposed};
+use super::differentiate::differentiated;
 use super::evaluate::Evaluator;
 use super::numbers;
 use super::state::{Binding, Evaluated, Refusal, Saved, Stop};
 use super::tree::{self, any, call, list, put, rows, small, symbol};
-use super::words;
+use super::words::{self, COMPUTE};
 
 /// The most items that a sum, product or list is written out with.
 const ITEMS: i64 = 1000;
@@ -123,6 +124,19 @@ impl Evaluator {
             ("subst" | "psubst", [new, old, value]) => {
                 let equation = tree::binary(BinaryOperator::Compare(Relation::Equal), old.clone(), new.clone(), span);
                 Some(substituted(&equation, value, true, span)?)
+            }
+            ("diff", [value, by]) if is_name(by) => {
+                let (by, once) = (by.as_symbol().unwrap_or_default(), tree::number(1, span));
+                Some(differentiated(value, by, &once, &self.state.dependent, span)?)
+            }
+            ("diff", [value, pairs @ ..]) if !pairs.is_empty() && pairs.iter().step_by(2).all(is_name) => {
+                let mut value = value.clone();
+                for pair in pairs.chunks(2) {
+                    let (by, times) = (pair[0].as_symbol().unwrap_or_default(), pair.get(1));
+                    let once = tree::number(1, span);
+                    value = differentiated(&value, by, times.unwrap_or(&once), &self.state.dependent, span)?;
+                }
+                Some(value)
             }
             ("rhs", [equation]) => side(equation, false),
             ("lhs", [equation]) => side(equation, true),
@@ -318,6 +332,11 @@ pub(super) fn changes(expression: &Expr) -> bool {
     })
 }
 
+/// Whether something is a name that has no value.
+fn is_name(value: &Expr) -> bool {
+    value.as_symbol().is_some_and(|name| !name.starts_with(['%', super::evaluate::ROOT]))
+}
+
 /// The functions that `local` makes local to a block.
 fn local_functions(body: &[Expr]) -> Vec<&str> {
     let locals = body.iter().filter_map(|statement| statement.as_call().filter(|(name, _)| *name == "local"));
@@ -352,10 +371,6 @@ fn substituted(equations: &Expr, value: &Expr, in_turn: bool, span: &Range<usize
     }
     Ok(pairs.iter().fold(value.clone(), |value, (old, new)| put(&value, &|name| (name == old).then(|| new.clone()))))
 }
-
-/// What to do where Maxima must compute.
-pub(crate) const COMPUTE: &str = "a worksheet that computes needs Maxima: write a contract NAME.toml beside it, run `closedform derive \
-                                  --folder DIR NAME`, and then this command again; `closedform schema contract` says what one holds";
 
 fn is_free(name: &str) -> bool {
     !name.starts_with([super::evaluate::PARAMETER, super::evaluate::ROOT, '%'])

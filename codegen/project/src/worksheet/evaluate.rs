@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::rc::Rc;
 
-use closedform_maxima::ast::{Branch, Quoting};
+use closedform_maxima::ast::Quoting;
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, print};
 
 use super::effects::Effects;
@@ -28,10 +28,12 @@ pub(super) struct Evaluator {
     pub(super) subscripts: arrays::Names,
     /// Names whose values were put into something.
     pub(super) used: BTreeSet<String>,
+    /// Files that are loaded and not at hand, in words.
+    pub(super) absent: Vec<(String, Range<usize>)>,
     /// The functions being called, outermost first, each with the number of undecided conditions around it.
     open: Vec<(String, usize)>,
     /// How many conditions around the current place are not decided.
-    undecided: usize,
+    pub(super) undecided: usize,
     depth: usize,
     size: usize,
     roots: usize,
@@ -39,8 +41,8 @@ pub(super) struct Evaluator {
 
 impl Evaluator {
     pub(super) fn new(state: State, files: BTreeMap<String, String>, subscripts: arrays::Names) -> Self {
-        let used = BTreeSet::new();
-        Self { state, files, subscripts, used, open: Vec::new(), undecided: 0, depth: 0, size: 0, roots: 0 }
+        let (used, absent) = (BTreeSet::new(), Vec::new());
+        Self { state, files, subscripts, used, absent, open: Vec::new(), undecided: 0, depth: 0, size: 0, roots: 0 }
     }
 
     /// Begins another formula.
@@ -211,6 +213,13 @@ impl Evaluator {
                 }
             }
             (ExprKind::Subscript { array, indices }, _) => self.assign_element(array, indices, &value, span)?,
+            (ExprKind::List(_), _) => {
+                let what = "the parts of what only Maxima can compute";
+                let because = Refusal::new(what, words::COMPUTE, span);
+                let whole = binary(BinaryOperator::Assign, target.clone(), target.clone(), span);
+                Effects::of(&whole, &self.state).apply(&mut self.state, &because);
+                return Err(because.into());
+            }
             _ => return Err(self.sweep("assigns to what cannot be known", span)),
         }
         Ok(value)
@@ -229,7 +238,14 @@ impl Evaluator {
             };
             let what = "a function of subscripts, whose values depend on what was computed before";
             let because = Refusal::new(what, "define a function of arguments instead: `f(i,x):=..`", span);
-            if let Some(name) = name {
+            if let ExprKind::Subscript { array, indices } = &head.kind
+                && let Some(name) = array.as_symbol()
+                && let Some(parameters) = indices.iter().map(|index| index.as_symbol().map(str::to_owned)).collect()
+            {
+                let function =
+                    Function { parameters: Ok(parameters), body: Rc::new(body), is_macro, span: span.clone() };
+                self.state.arrays.insert(name.to_owned(), Rc::new(function));
+            } else if let Some(name) = name {
                 self.state.forget_value(name, &because);
                 self.state.forget_function(name, &because);
             }
@@ -242,51 +258,6 @@ impl Evaluator {
         });
         let function = Function { parameters, body: Rc::new(body), is_macro, span: span.clone() };
         self.state.functions.insert(name.to_owned(), Rc::new(function));
-    }
-
-    /// `if`: what numbers decide is decided; else both sides stay.
-    fn condition(&mut self, branches: &[Branch], otherwise: Option<&Expr>, span: &Range<usize>) -> Evaluated {
-        let mut kept: Vec<Branch> = Vec::new();
-        let mut last = None;
-        for Branch { condition, value } in branches {
-            let condition = self.value(condition)?;
-            match numbers::decided(&condition) {
-                Some(false) => {}
-                Some(true) => {
-                    last = Some(value);
-                    break;
-                }
-                None => {
-                    let value = self.under_condition(value, span)?;
-                    kept.push(Branch { condition, value });
-                }
-            }
-        }
-        match (kept.is_empty(), last.or(otherwise)) {
-            (true, Some(value)) => self.value(value),
-            (true, None) => Ok(symbol("false", span)),
-            (false, value) => {
-                let otherwise = value.map(|value| self.under_condition(value, span)).transpose()?.map(Box::new);
-                Ok(Expr::new(ExprKind::If { branches: kept, otherwise }, span.clone()))
-            }
-        }
-    }
-
-    /// A value that counts under a condition only: what it changes is not known afterwards.
-    fn under_condition(&mut self, value: &Expr, span: &Range<usize>) -> Evaluated {
-        let earlier = self.state.clone();
-        self.undecided += 1;
-        let found = self.value(value);
-        self.undecided -= 1;
-        let because = Refusal::new("it depends on an `if`", "write it as a function without `if`", span);
-        self.state.doubt(earlier, &because);
-        match found {
-            Err(Stop::Return(_)) => {
-                let what = "`return` under a condition that only its inputs decide";
-                Err(Refusal::new(what, "write the block as one `if` with a value on each side", &value.span).into())
-            }
-            other => other,
-        }
     }
 
     /// Calls a function of the worksheet.
@@ -338,9 +309,17 @@ impl Evaluator {
     /// Whether one of the functions being called, from this one on, has an `if` that could end it.
     fn decides(&self, start: usize) -> bool {
         self.open[start..].iter().any(|(name, _)| {
+            if self.state.arrays.contains_key(name) {
+                return true; // an element with a value ends it
+            }
             let body = self.state.functions.get(name).map(|function| &function.body);
             body.is_some_and(|body| any(body, &|part| matches!(part.kind, ExprKind::If { .. })))
         })
+    }
+
+    /// Whether what is done here is done whatever the inputs are.
+    pub(super) fn is_decided(&self) -> bool {
+        self.undecided == 0
     }
 
     /// A place that is not evaluated: what it may change is unknown from here on.

@@ -1,15 +1,16 @@
 //! Formulas made of what names stand for: their inputs, results and conditions.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::rc::Rc;
 
 use closedform_maxima::ast::Branch;
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator};
 
-use super::calls::COMPUTE;
 use super::evaluate::{Evaluator, PARAMETER, ROOT, is_constant};
 use super::state::{Binding, Evaluated, Refusal, State, Stop};
 use super::tree::{any, list, names, renamed, rows, symbol};
+use super::words::COMPUTE;
 use super::{statements, words};
 use crate::expression::{is_known_constant, remedy_of_constant};
 
@@ -104,6 +105,11 @@ fn marked(name: &str, span: &Range<usize>) -> Expr {
     symbol(&format!("{PARAMETER}{name}"), span)
 }
 
+/// A value in which parameters are told from other names.
+pub(super) fn marked_in(value: &Expr, parameters: &[String]) -> Expr {
+    renamed(value, &|name| parameters.iter().any(|parameter| parameter == name).then(|| format!("{PARAMETER}{name}")))
+}
+
 fn as_lambda(value: &Rc<Expr>) -> Option<Vec<String>> {
     let ("lambda", [parameters, ..]) = value.as_call()? else { return None };
     list(parameters)?.iter().map(|name| name.as_symbol().map(str::to_owned)).collect()
@@ -114,7 +120,13 @@ fn is_word(value: &Expr) -> bool {
     matches!(value.kind, ExprKind::Symbol(_) | ExprKind::String(_))
 }
 
-fn outcome(name: &str, parameters: Vec<String>, value: Evaluated, span: &Range<usize>, state: &State) -> Outcome {
+pub(super) fn outcome(
+    name: &str,
+    parameters: Vec<String>,
+    value: Evaluated,
+    span: &Range<usize>,
+    state: &State,
+) -> Outcome {
     let value = match value {
         Ok(value) | Err(Stop::Return(value)) => value,
         Err(Stop::Refused(because)) => return Outcome::Refused(because),
@@ -193,7 +205,7 @@ fn computing(name: &str, value: &Expr) -> Result<(), Refusal> {
     found.map_or(Ok(()), Err)
 }
 
-fn find(expression: &Expr, told: &mut dyn FnMut(&Expr)) {
+pub(super) fn find(expression: &Expr, told: &mut dyn FnMut(&Expr)) {
     told(expression);
     super::tree::parts(expression).into_iter().for_each(|part| find(part, told));
 }
@@ -291,24 +303,27 @@ fn results(name: &str, value: &Expr) -> Result<Vec<(String, Expr)>, Refusal> {
             found.extend(items.map(|(column, item)| result(format!("{name}_{}_{}", row + 1, column + 1), item)));
         }
     } else {
-        return Ok(vec![(String::new(), result(String::new(), value).1)]);
+        return Ok(vec![(String::new(), result(String::new(), value).2)]);
     }
-    if found.is_empty() || found.iter().any(|(_, item)| nested(item)) {
+    if found.is_empty() || found.iter().any(|(.., item)| nested(item)) {
         let what = format!("`{name}` is no number, and no list or matrix of numbers");
         return Err(Refusal::new(what, "give its items names of their own", &value.span));
     }
-    Ok(found)
+    // solutions of one unknown are told apart by their places
+    let mut seen = BTreeSet::new();
+    let by_left = found.iter().all(|(_, left, _)| seen.insert(left.clone()));
+    Ok(found.into_iter().map(|(place, left, item)| (if by_left { left } else { place }, item)).collect())
 }
 
-/// An equation whose left side is a name gives its right side, under that name.
-fn result(name: String, item: &Expr) -> (String, Expr) {
+/// An equation whose left side is a name gives its right side, under that name: the name by place, the other one, the value.
+fn result(name: String, item: &Expr) -> (String, String, Expr) {
     match &item.kind {
         ExprKind::Binary { operator: BinaryOperator::Compare(Relation::Equal), left, right }
             if left.as_symbol().is_some_and(|left| !names(right).iter().any(|name| name == left)) =>
         {
             let left = left.as_symbol().unwrap_or_default().to_owned();
-            (if name.is_empty() { name } else { left }, (**right).clone())
+            (name.clone(), if name.is_empty() { name } else { left }, (**right).clone())
         }
-        _ => (name, item.clone()),
+        _ => (name.clone(), name, item.clone()),
     }
 }

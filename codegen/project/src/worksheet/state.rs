@@ -1,6 +1,6 @@
 //! What Maxima knows while it reads a worksheet: values of names, functions, assumptions, and what became unknown.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -72,6 +72,10 @@ pub(super) struct State {
     pub(super) variables: BTreeMap<String, Binding>,
     /// Functions by name.
     pub(super) functions: BTreeMap<String, Rc<Function>>,
+    /// Functions of subscripts: `a[n]:=..`.
+    pub(super) arrays: BTreeMap<String, Rc<Function>>,
+    /// Names that are declared to depend on others.
+    pub(super) dependent: BTreeSet<String>,
     /// What `assume` was told.
     pub(super) facts: Vec<Expr>,
     /// Why any other name may have a value too.
@@ -103,6 +107,7 @@ impl State {
     /// From here on the value of a name is not known.
     pub(super) fn forget_value(&mut self, name: &str, because: &Refusal) {
         let unknown = Binding::Unknown(Rc::new(because.clone()));
+        self.arrays.remove(name);
         let elements = format!("{name}[");
         for (_, binding) in self.variables.iter_mut().filter(|(element, _)| element.starts_with(&elements)) {
             *binding = unknown.clone();
@@ -125,6 +130,7 @@ impl State {
         let functions: Vec<String> = self.functions.keys().cloned().collect();
         functions.iter().for_each(|name| self.forget_function(name, because));
         self.facts.clear();
+        self.arrays.clear();
         self.fog.get_or_insert_with(|| because.clone());
     }
 

@@ -10,18 +10,30 @@ use super::tree::{at, binary, list, symbol};
 use super::words;
 
 /// Such functions.
-const STATEMENTS: [&str; 7] = ["assume", "declare", "forget", "kill", "local", "remfunction", "remvalue"];
+const STATEMENTS: [&str; 10] =
+    ["assume", "declare", "depends", "forget", "kill", "local", "remfunction", "remvalue", "tellsimp", "tellsimpafter"];
+
+/// What a line of Lisp is a call of.
+const LISP: &str = ":lisp";
 
 /// Declarations under which a name stands for no real number.
 const NOT_REAL: [&str; 2] = ["complex", "imaginary"];
 
 impl Evaluator {
     pub(super) fn is_statement(&self, name: &str) -> bool {
-        STATEMENTS.contains(&name) || words::is_changing(name) || words::is_sweeping(name) || words::is_loading(name)
+        STATEMENTS.contains(&name)
+            || name == LISP
+            || words::is_changing(name)
+            || words::is_sweeping(name)
+            || words::is_loading(name)
     }
 
     pub(super) fn statement(&mut self, whole: &Expr, name: &str, arguments: &[Expr]) -> Evaluated {
         let span = &whole.span;
+        if name == LISP {
+            self.absent.push(("a line of Lisp: names that it may define are inputs".to_owned(), span.clone()));
+            return Ok(symbol("done", span));
+        }
         match name {
             "assume" => self.assume(arguments)?,
             "forget" => {
@@ -32,6 +44,15 @@ impl Evaluator {
             "declare" => arguments.chunks(2).for_each(|pair| self.declare(pair)),
             "kill" | "remvalue" | "remfunction" => arguments.iter().for_each(|argument| self.kill(name, argument)),
             "local" => {}
+            "depends" => {
+                let of = arguments.iter().step_by(2).flat_map(super::tree::names);
+                self.state.dependent.extend(of);
+            }
+            "tellsimp" | "tellsimpafter" if arguments.first().is_some_and(is_of_a_function) => {
+                let name = arguments[0].as_call().map_or("", |(name, _)| name);
+                let because = Refusal::new("it has a rule of simplification", "write it as a function", span);
+                self.state.forget_function(name, &because);
+            }
             _ if words::is_loading(name) => return self.load(name, arguments, span),
             _ if words::is_sweeping(name) => {
                 return Err(self.sweep(&format!("calls `{name}`, which may change what anything means"), span));
@@ -76,6 +97,8 @@ impl Evaluator {
             ("kill", Some(name)) => {
                 self.remove_value(name);
                 self.state.functions.remove(name);
+                self.state.arrays.remove(name);
+                self.state.dependent.remove(name);
                 let mentions = |fact: &Expr| super::tree::names(fact).iter().any(|other| other == name);
                 self.state.facts.retain(|fact| !mentions(fact));
             }
@@ -100,12 +123,19 @@ impl Evaluator {
             _ => None,
         });
         let Some(named) = named else {
-            return Err(self.sweep(&format!("has `{word}` read a file whose name is not known"), span));
+            let what = format!("`{word}` of a file whose name is computed: names that it may define are inputs");
+            self.absent.push((what, span.clone()));
+            return Ok(symbol("done", span));
         };
         match self.files.remove(&named) {
             Some(text) => self.read(&named, &text, span),
             None if words::is_package(&named) => Ok(symbol("done", span)),
-            None => Err(self.sweep(&format!("has `{word}` read `{named}`, which is neither known nor at hand"), span)),
+            // what it defines is not known; what this text says holds all the same
+            None => {
+                let what = format!("`{named}` is not at hand: names that it may define are inputs");
+                self.absent.push((what, span.clone()));
+                Ok(symbol("done", span))
+            }
         }
     }
 
@@ -129,6 +159,12 @@ impl Evaluator {
         }
         Ok(symbol("done", span))
     }
+}
+
+/// Whether a pattern is a call of a function without a meaning of its own.
+fn is_of_a_function(pattern: &Expr) -> bool {
+    let meaning = |name: &str| crate::expression::is_known_function(name) || words::computes(name);
+    pattern.as_call().is_some_and(|(name, _)| !meaning(name))
 }
 
 /// Comparisons that must hold, of what `assume` was told.

@@ -1,5 +1,9 @@
 //! What Maxima's own functions and packages do to a worksheet, by name.
 
+/// What to do where Maxima must compute.
+pub(crate) const COMPUTE: &str = "a worksheet that computes needs Maxima: `closedform derive FILE` runs it and writes what it leaves; \
+                                  then run this command again";
+
 /// Packages of Maxima that define functions and no variables of ordinary names: loading them changes no formula.
 const PACKAGES: [&str; 66] = [
     "abs_integrate",
@@ -71,7 +75,45 @@ const PACKAGES: [&str; 66] = [
 ];
 
 /// Functions that only Maxima can evaluate.
-const COMPUTING: [&str; 50] = [
+const COMPUTING: [&str; 88] = [
+    "addcol",
+    "addrow",
+    "adjoint",
+    "apply1",
+    "apply2",
+    "applyb1",
+    "augcoefmatrix",
+    "changevar",
+    "coefmatrix",
+    "collectterms",
+    "content",
+    "demoivre",
+    "divide",
+    "echelon",
+    "exponentialize",
+    "genmatrix",
+    "hessian",
+    "hipow",
+    "ident",
+    "logcontract",
+    "lopow",
+    "lratsubst",
+    "nroots",
+    "nusum",
+    "parse_string",
+    "powerseries",
+    "quotient",
+    "ratcoef",
+    "ratcoeff",
+    "ratdenom",
+    "ratnumer",
+    "ratsubst",
+    "realroots",
+    "remainder",
+    "risch",
+    "romberg",
+    "specint",
+    "trigrat",
     "algsys",
     "assoc",
     "bfallroots",
@@ -189,23 +231,14 @@ const CHANGING: [&str; 12] = [
 ];
 
 /// Functions that change what arithmetic means, or run what cannot be read here.
-const SWEEPING: [&str; 20] = [
-    "apply1",
+const SWEEPING: [&str; 11] = [
     "autoload",
     "batch_stream",
     "compile_file",
-    "defrule",
     "demo",
     "eval_string",
     "eval_string_lisp",
-    "infix",
     "load_lisp",
-    "matchfix",
-    "nofix",
-    "parse_string",
-    "postfix",
-    "prefix",
-    "reset",
     "restore",
     "simp_off",
     "tellsimp",
@@ -219,7 +252,7 @@ const LOADING: [&str; 5] = ["batch", "batchload", "load", "loadfile", "setup_aut
 const SETTINGS: [(&str, &str); 4] =
     [("simp", "false"), ("listarith", "false"), ("radexpand", "all"), ("doallmxops", "false")];
 
-pub(super) fn is_package(name: &str) -> bool {
+pub(crate) fn is_package(name: &str) -> bool {
     let name = name.strip_suffix(".mac").or_else(|| name.strip_suffix(".lisp")).unwrap_or(name);
     PACKAGES.contains(&name)
 }
@@ -249,7 +282,7 @@ pub(super) fn is_sweeping(name: &str) -> bool {
     SWEEPING.contains(&name)
 }
 
-pub(super) fn is_loading(name: &str) -> bool {
+pub(crate) fn is_loading(name: &str) -> bool {
     LOADING.contains(&name)
 }
 
@@ -259,5 +292,7 @@ pub(super) fn changes_arithmetic(setting: &str, value: &str) -> bool {
 
 /// Functions that are obeyed without a word.
 pub(super) fn is_obeyed(name: &str) -> bool {
-    ["assume", "forget", "kill", "remvalue", "remfunction", "local"].contains(&name)
+    ["assume", "forget", "kill", "remvalue", "remfunction", "local", "reset", "matchdeclare", "defrule", "depends"]
+        .contains(&name)
+        || closedform_maxima::declares_operator(name)
 }

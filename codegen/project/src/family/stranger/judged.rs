@@ -1,6 +1,6 @@
 //! A worksheet judged: the formulas that kernels can be made of, and everything that is wrong with the others.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use closedform_maxima::Definition;
 
@@ -9,7 +9,7 @@ use super::mistake::WorksheetMistake;
 use super::summary::{Summary, summary};
 use crate::contract::{Contract, KernelContract};
 use crate::domain::Condition;
-use crate::worksheet::{self, Formula, Reading, spelt};
+use crate::worksheet::{Formula, Reading, spelt};
 
 /// A worksheet with its formulas, everything put in.
 pub(super) struct Judged {
@@ -30,9 +30,8 @@ pub(super) struct Sound {
 pub(super) type Conditions = Vec<(String, Condition)>;
 
 impl Judged {
-    /// `files` has the texts of other worksheets by the names under which this one may load them.
-    pub(super) fn new(text: &str, files: BTreeMap<String, String>) -> Self {
-        let mut reading = worksheet::read(text, files);
+    /// Of what a worksheet of this text comes to.
+    pub(super) fn new(text: &str, mut reading: Reading) -> Self {
         let mut mistakes: Vec<WorksheetMistake> = reading.errors.drain(..).map(Into::into).collect();
         mistakes.extend(reading.refused.iter().map(|(name, because)| WorksheetMistake::refused(name, because)));
         if mistakes.is_empty() && reading.formulas.is_empty() {
