@@ -7,6 +7,7 @@ use syn::punctuated::Punctuated;
 use syn::{Attribute, Expr, ExprLit, Lit, LitStr, Meta, MetaList, Path, Token};
 
 use crate::error::{self, Errors};
+use crate::example;
 use crate::kernel::{self, Certificate, Output, ResultMeta};
 
 /// The attribute as written, before the results of the kernel are known.
@@ -19,6 +20,7 @@ pub struct Written {
     bound_place: Option<Span>,
     certificate: Option<LitStr>,
     results: Vec<About<Described>>,
+    example: Option<example::Written>,
 }
 
 /// A fact about one result.
@@ -71,6 +73,7 @@ impl Written {
                 self.results = vec![About { path: path.clone(), field: None, fact: described(item, errors) }]
             }
             Some("results") => self.results.extend(results(item, errors)),
+            Some("example") => self.example = example::parse(item, errors),
             _ => errors.push(path, error::ATTRIBUTE),
         }
     }
@@ -80,6 +83,7 @@ impl Written {
         &self,
         output: &Output,
         kernel: &Ident,
+        inputs: usize,
         attributes: &[Attribute],
         errors: &mut Errors,
     ) -> kernel::Meta {
@@ -89,6 +93,7 @@ impl Written {
             Output::Value(_) => vec![self.result(kernel, None)],
             Output::Struct { fields, .. } => fields.iter().map(|(field, _)| self.result(field, Some(field))).collect(),
         };
+        let example = self.example.as_ref().map(|example| example.of(inputs, results.len(), errors));
         kernel::Meta {
             family: self.text("family"),
             maxima: self.text("maxima"),
@@ -98,6 +103,7 @@ impl Written {
             rules: self.rules.clone(),
             precision: self.precision,
             results,
+            example,
             bound_place: self.bound_place,
             certificate: self.certificate.as_ref().map(|text| Certificate { text: text.value(), place: text.span() }),
         }
@@ -251,6 +257,13 @@ fn described(item: &Meta, errors: &mut Errors) -> Described {
 
 /// The first paragraph of the documentation, in one line, as a page shows it.
 fn summary(attributes: &[Attribute]) -> String {
+    let documentation = documentation(attributes);
+    let paragraph = documentation.lines().map(str::trim).skip_while(|line| line.is_empty());
+    without_escapes(&paragraph.take_while(|line| !line.is_empty()).collect::<Vec<_>>().join(" "))
+}
+
+/// The documentation among attributes, as Markdown.
+pub fn documentation(attributes: &[Attribute]) -> String {
     let lines = attributes.iter().filter_map(|attribute| match &attribute.meta {
         Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
             Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text.value()),
@@ -258,9 +271,7 @@ fn summary(attributes: &[Attribute]) -> String {
         },
         _ => None,
     });
-    let documentation = lines.collect::<Vec<_>>().join("\n");
-    let paragraph = documentation.lines().map(str::trim).skip_while(|line| line.is_empty());
-    without_escapes(&paragraph.take_while(|line| !line.is_empty()).collect::<Vec<_>>().join(" "))
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 /// Markdown without the backslashes that take the meaning of what follows; code has none.
