@@ -4,11 +4,12 @@ use closedform_arith::Precision;
 use proc_macro2::{Ident, Span, TokenStream};
 use syn::parse::Parser;
 use syn::punctuated::Punctuated;
-use syn::{Attribute, Expr, ExprLit, Lit, LitStr, Meta, MetaList, Path, Token};
+use syn::{Attribute, Expr, ExprLit, Lit, LitStr, Meta, Path, Token};
 
 use crate::error::{self, Errors};
 use crate::example;
 use crate::kernel::{self, Certificate, Output, ResultMeta};
+use crate::meta::{documentation, items, text};
 
 /// The attribute as written, before the results of the kernel are known.
 #[derive(Default)]
@@ -140,28 +141,6 @@ impl<T> About<T> {
     }
 }
 
-/// The items of a list; `message` says how to write it.
-pub fn items(list: &MetaList, message: &str, errors: &mut Errors) -> Vec<Meta> {
-    match list.parse_args_with(Punctuated::<Meta, Token![,]>::parse_terminated) {
-        Ok(items) => items.into_iter().collect(),
-        Err(_) => {
-            errors.push(list, message);
-            Vec::new()
-        }
-    }
-}
-
-/// The text of `key = "text"`.
-pub fn text(item: &Meta, errors: &mut Errors) -> Option<LitStr> {
-    if let Meta::NameValue(pair) = item
-        && let Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) = &pair.value
-    {
-        return Some(text.clone());
-    }
-    errors.push(item, error::TEXT);
-    None
-}
-
 fn precision(item: &Meta, errors: &mut Errors) -> Precision {
     let Some(written) = text(item, errors) else { return Precision::default() };
     let written = written.value();
@@ -260,18 +239,6 @@ fn summary(attributes: &[Attribute]) -> String {
     let documentation = documentation(attributes);
     let paragraph = documentation.lines().map(str::trim).skip_while(|line| line.is_empty());
     without_escapes(&paragraph.take_while(|line| !line.is_empty()).collect::<Vec<_>>().join(" "))
-}
-
-/// The documentation among attributes, as Markdown.
-pub fn documentation(attributes: &[Attribute]) -> String {
-    let lines = attributes.iter().filter_map(|attribute| match &attribute.meta {
-        Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
-            Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text.value()),
-            _ => None,
-        },
-        _ => None,
-    });
-    lines.collect::<Vec<_>>().join("\n")
 }
 
 /// Markdown without the backslashes that take the meaning of what follows; code has none.

@@ -4,9 +4,9 @@ use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{LitFloat, Meta, Token};
 
-use crate::attribute::{items, text};
 use crate::error::{self, Errors};
 use crate::kernel::Example;
+use crate::meta::{items, text};
 
 /// An example as written, before the inputs and results of the kernel are known.
 pub struct Written {

@@ -6,9 +6,9 @@ use quote::ToTokens;
 use syn::punctuated::Punctuated;
 use syn::{Attribute, FnArg, LitFloat, Meta, Path, ReturnType, Signature, Token, Type};
 
-use crate::attribute::{documentation, items, text};
 use crate::error::{self, Errors};
 use crate::kernel::Input;
+use crate::meta::{documentation, items, text};
 use crate::pattern::{intended_names, plain_name};
 use crate::scope::Scope;
 

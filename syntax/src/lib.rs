@@ -24,6 +24,7 @@ mod interpret;
 mod kernel;
 mod limits;
 mod magnitude;
+mod meta;
 mod operations;
 mod output;
 mod pattern;
