@@ -2,53 +2,34 @@
 
 use closedform_syntax::{Kernel, Output};
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 use syn::Attribute;
-use syn::ext::IdentExt;
 
-use crate::{info, program, table};
+use crate::parts::Parts;
+use crate::{documentation, info, program, table};
 
 /// The expansion of a kernel.
 pub fn kernel(kernel: &Kernel) -> TokenStream {
     let parts = Parts::of(kernel);
     let function = parts.function();
-    let module = parts.module();
-    quote!(#function #module)
+    let (module, calls) = (parts.module(), parts.calls_by_name());
+    quote!(#function #module #calls)
 }
 
-/// What several parts of the expansion name.
-struct Parts<'a> {
-    kernel: &'a Kernel,
-    /// The inputs, as the user named them.
-    inputs: Vec<&'a Ident>,
-    /// One variable a result, invisible to the user's names.
-    results: Vec<Ident>,
-    /// Numbers of inputs, conditions and results, as generic arguments.
-    sizes: TokenStream,
-}
-
-impl<'a> Parts<'a> {
-    fn of(kernel: &'a Kernel) -> Self {
-        let results = kernel.meta.results.iter();
-        let (n, k, m) = (kernel.inputs.len(), kernel.requires.len(), kernel.meta.results.len());
-        Parts {
-            kernel,
-            inputs: kernel.inputs.iter().map(|input| &input.name).collect(),
-            results: results.map(|result| unseen(&result.name)).collect(),
-            sizes: quote!(#n, #k, #m),
-        }
-    }
-
+impl Parts<'_> {
     /// The function itself.
     fn function(&self) -> TokenStream {
         let Kernel { attributes, visibility, name, .. } = self.kernel;
         let Parts { inputs, results, sizes, .. } = self;
+        let (above, formula, below) = documentation::of(self.kernel);
         let must_use = missing(attributes, "must_use").then(|| quote!(#[must_use]));
         let inline = missing(attributes, "inline").then(|| quote!(#[inline]));
         let returned = self.returned(&TokenStream::new());
         let output = self.output(&TokenStream::new());
         quote! {
-            #(#attributes)*
+            #(#above)*
+            #formula
+            #(#below)*
             #must_use
             #inline
             #[allow(clippy::too_many_arguments)]
@@ -61,12 +42,12 @@ impl<'a> Parts<'a> {
 
     /// The module beside it.
     fn module(&self) -> TokenStream {
-        let Kernel { attributes, visibility, name, .. } = self.kernel;
-        let conditional = attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
-        let plain = name.unraw();
-        let documentation = format!("[`{plain}`](fn@{name}) in its other arithmetics and shapes.");
+        let Kernel { visibility, name, .. } = self.kernel;
+        let conditional = self.conditional();
+        let documentation = documentation::of_module(name);
         let items = [
             self.constants(),
+            self.records(),
             self.program(),
             self.evaluate(),
             self.checked(),
@@ -75,6 +56,7 @@ impl<'a> Parts<'a> {
             self.with_bound(),
             self.batch(),
             self.fast_batch(),
+            self.rows(),
             self.single(),
         ];
         quote! {
@@ -232,102 +214,6 @@ impl<'a> Parts<'a> {
         }
     }
 
-    fn batch(&self) -> TokenStream {
-        self.rows_in_blocks(
-            "batch",
-            "The values of many points, bit for bit those of single calls; inputs first, then one slice a result.",
-            ["first_tier", "value"],
-        )
-    }
-
-    fn fast_batch(&self) -> TokenStream {
-        self.rows_in_blocks(
-            "fast_batch",
-            "What [`fast`] returns of many points; inputs first, then one slice a result.",
-            ["first_tier_fast", "refined"],
-        )
-    }
-
-    /// A batch, by blocks: all rows `first_tier`, which has no branch, and those again that escalate.
-    fn rows_in_blocks(&self, name: &str, documentation: &str, [first_tier, again]: [&str; 2]) -> TokenStream {
-        let Parts { inputs, results, sizes, .. } = self;
-        let checks = self.length_checks();
-        let values: Vec<_> =
-            (0..results.len()).map(|i| format_ident!("__value_{i}", span = Span::mixed_site())).collect();
-        let [name, first_tier, again] = [name, first_tier, again].map(|name| Ident::new(name, Span::call_site()));
-        let [escalate, escalated, row, any] =
-            ["__escalate", "__escalated", "__row", "__any"].map(|name| Ident::new(name, Span::mixed_site()));
-        let (pattern, blocks) = self.zipped(
-            |input| quote!(::closedform::__private::Blocks(#input)),
-            |result| quote!(::closedform::__private::BlocksMut(#result)),
-        );
-        let (_, rows) = self.zipped(|input| quote!(#input.iter()), |result| quote!(#result.iter_mut()));
-        quote! {
-            #[doc = #documentation]
-            ///
-            /// # Errors
-            ///
-            /// When a slice is not as long as the first one. Then nothing is written.
-            pub fn #name(
-                #(#inputs: &[f64],)*
-                #(#results: &mut [f64]),*
-            ) -> ::core::result::Result<(), ::closedform::LengthError> {
-                #checks
-                for #pattern in #blocks {
-                    let mut #escalated = [0; ::closedform::__private::BLOCK];
-                    let mut #any = 0;
-                    for (#pattern, #row) in #rows.zip(&mut #escalated) {
-                        let #escalate = ::core::cell::Cell::new(0);
-                        let [#(#values),*] =
-                            ::closedform::__private::#first_tier::<Program, #sizes>(&[#(*#inputs),*], &#escalate);
-                        #(*#results = #values;)*
-                        *#row = #escalate.get();
-                        #any |= #escalate.get();
-                    }
-                    if #any != 0 {
-                        for (#pattern, #row) in #rows.zip(&#escalated) {
-                            if *#row != 0 {
-                                let [#(#values),*] =
-                                    ::closedform::__private::#again::<Program, #sizes>(&[#(*#inputs),*]);
-                                #(*#results = #values;)*
-                            }
-                        }
-                    }
-                }
-                ::core::result::Result::Ok(())
-            }
-        }
-    }
-
-    /// That all slices of a batch are as long as the first.
-    fn length_checks(&self) -> TokenStream {
-        let length = Ident::new("__length", Span::mixed_site());
-        let slices = self.inputs.iter().copied().chain(&self.results);
-        let checks = slices.clone().skip(1).map(|slice| {
-            let name = slice.unraw().to_string();
-            quote!(::closedform::__private::same_length(INFO.name, #name, #length, #slice.len())?;)
-        });
-        let first = self.inputs.first();
-        quote! {
-            let #length = #first.len();
-            #(#checks)*
-        }
-    }
-
-    /// A pattern and an iterator of all inputs and results together. Zipped slices need no bounds checks.
-    fn zipped(
-        &self,
-        input: impl Fn(&Ident) -> TokenStream,
-        result: impl Fn(&Ident) -> TokenStream,
-    ) -> (TokenStream, TokenStream) {
-        let inputs = self.inputs.iter().map(|name| (quote!(#name), input(name)));
-        let results = self.results.iter().map(|name| (quote!(#name), result(name)));
-        let zipped = inputs.chain(results).reduce(|(pattern, rows), (next_pattern, next_rows)| {
-            (quote!((#pattern, #next_pattern)), quote!(#rows.zip(#next_rows)))
-        });
-        zipped.unwrap_or_default()
-    }
-
     fn single(&self) -> TokenStream {
         let Parts { inputs, results, sizes, .. } = self;
         let m = results.len();
@@ -349,33 +235,6 @@ impl<'a> Parts<'a> {
             }
         }
     }
-
-    /// The returned type, seen from where `path` leads to the kernel's own scope.
-    fn returned(&self, path: &TokenStream) -> TokenStream {
-        match &self.kernel.output {
-            Output::Value(_) => quote!(f64),
-            Output::Struct { name, .. } => quote!(#path #name),
-        }
-    }
-
-    /// The returned value, made of the variables of the results.
-    fn output(&self, path: &TokenStream) -> TokenStream {
-        let results = &self.results;
-        match &self.kernel.output {
-            Output::Value(_) => quote!(#(#results)*),
-            Output::Struct { name, fields } => {
-                let fields = fields.iter().map(|(field, _)| field);
-                quote!(#path #name { #(#fields: #results),* })
-            }
-        }
-    }
-}
-
-/// A name that is spelt alike and that the user's names do not see.
-fn unseen(name: &Ident) -> Ident {
-    let mut unseen = name.clone();
-    unseen.set_span(Span::mixed_site());
-    unseen
 }
 
 fn missing(attributes: &[Attribute], name: &str) -> bool {

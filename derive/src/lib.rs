@@ -3,10 +3,17 @@
 //! Read from here: `closedform_syntax::parse` reads and checks, `expand` assembles what is emitted, and what parse
 //! refuses becomes its errors beside a stand-in (`fallback`), so that callers of the function stay quiet.
 
+mod batch;
+mod documentation;
+mod example;
 mod expand;
 mod fallback;
 mod info;
+mod mathml;
+mod named;
+mod parts;
 mod program;
+mod record;
 mod table;
 
 use proc_macro2::TokenStream;
@@ -35,7 +42,8 @@ use syn::ItemFn;
 ///
 /// # The function
 ///
-/// - inputs are `f64`, one to sixteen; `#[input(maxima = "..", unit = "..", typical(low, high))]` describes one. It
+/// - inputs are `f64`, one to sixty-four; `#[input(maxima = "..", unit = "..", typical(low, high))]` describes one, and so
+///   does documentation above it, `/// What it is`. It
 ///   returns `f64`, or a struct of `f64` declared beside it in a module (not inside a function).
 /// - statements: `require!(condition)` or `require!(condition, "text")` first, on inputs alone; then `let name = e;`;
 ///   last the result: an expression, or a struct literal. Every input must be finite, without saying so.
@@ -50,7 +58,8 @@ use syn::ItemFn;
 /// All keys are optional: `family`, `maxima`, `latex`, `source` are texts; `rules("..", "..")` names rewrites; `bound = 4`
 /// states an error in ulp; `result(worksheet = "..", unit = "..")` describes the result. For a struct write
 /// `bound(field = 4)` and `results(field(worksheet = "..", unit = ".."))`. With `precision = "double-double"` every shape
-/// is computed as `faithful` is, and only rounded at the end.
+/// is computed as `faithful` is, and only rounded at the end. `example(path = "family::name", inputs(..), results(..))` gives
+/// the documentation an example, which `cargo test` runs: the path leads from the crate's root to the kernel.
 ///
 /// Nobody writes a bound by hand: `closedform bound FILE.rs --write` proves it and enters it with `certificate = ".."`, a
 /// hash of the kernel and of the version of the rules. A bound whose certificate is missing, or was issued for another
@@ -59,7 +68,9 @@ use syn::ItemFn;
 /// # What it becomes
 ///
 /// The function itself, NaN outside its domain, and a module of the same name: `checked`, `faithful`, `fast`, `with_bound`,
-/// `batch`, `fast_batch`, `f32`, `evaluate` in any arithmetic, `INFO` and `KERNEL`. Steps may over- and underflow, results
+/// `batch`, `fast_batch`, `f32`, `evaluate` in any arithmetic, `INFO` and `KERNEL`. The same calls by name are methods of
+/// the module's `Inputs`, `leg::Inputs { hypotenuse, other }.call()`, and of its `Columns`, which holds a slice an input;
+/// `rows` and `fast_rows` take a slice of `Inputs`. Documentation shows what `latex` says as mathematics. Steps may over- and underflow, results
 /// may not: where `f64` cannot hold one, the function returns an infinity or what is left of its digits, and `checked` an
 /// error. Where a formula has no value, since it divides by zero or takes the root of a negative number, the function
 /// returns NaN.
@@ -75,6 +86,13 @@ use syn::ItemFn;
 #[proc_macro_attribute]
 pub fn kernel(attribute: proc_macro::TokenStream, item: proc_macro::TokenStream) -> proc_macro::TokenStream {
     expansion(attribute.into(), item.into()).into()
+}
+
+/// Makes a struct of `f64` a [`Record`](https://docs.rs/closedform/latest/closedform/trait.Record.html): numbers with names, in
+/// order. Structs that kernels return need it where the feature `serde` of `closedform` is to serialise them.
+#[proc_macro_derive(Record)]
+pub fn record(item: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    record::derived(item.into()).into()
 }
 
 fn expansion(attribute: TokenStream, item: TokenStream) -> TokenStream {

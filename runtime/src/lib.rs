@@ -23,6 +23,14 @@
 //! let mut lengths = [0.0; 2];
 //! hypotenuse::batch(&[3.0, 5.0], &[4.0, 12.0], &mut lengths)?;
 //! assert_eq!(lengths, [5.0, 13.0]);
+//!
+//! // The same by name: one point, many columns, many rows.
+//! use hypotenuse::{Columns, Inputs};
+//! assert_eq!(Inputs { a: 3.0, b: 4.0 }.call(), 5.0);
+//! Columns { a: &[6.0, 9.0], b: &[8.0, 12.0] }.batch(&mut lengths)?;
+//! assert_eq!(lengths, [10.0, 15.0]);
+//! hypotenuse::rows(&[Inputs { a: 3.0, b: 4.0 }, Inputs { a: 5.0, b: 12.0 }], &mut lengths)?;
+//! assert_eq!(lengths, [5.0, 13.0]);
 //! # Ok(())
 //! # }
 //! ```
@@ -36,7 +44,7 @@
 //! x86-64: 6.8 kB and 4.7 kB), as any call of any kernel may.
 //!
 //! Features: `std` (default) takes `sqrt` from the standard library instead of `libm`; `large-balls` (default) lets
-//! [`settle`] take more than 256 bits; `mpfr` adds `Mpfr`, the
+//! [`settle`] take more than 256 bits; `serde` serialises and deserialises every [`Record`]; `mpfr` adds `Mpfr`, the
 //! arithmetic of arbitrary precision in which judges run kernels.
 
 #![no_std]
@@ -54,6 +62,10 @@ mod fast;
 mod info;
 mod kernel;
 mod program;
+mod record;
+mod rows;
+#[cfg(feature = "serde")]
+mod serde;
 mod shape;
 
 #[cfg(feature = "mpfr")]
@@ -63,18 +75,32 @@ pub use closedform_arith::limits::{MAX_DEGREE, MAX_INPUTS};
 pub use closedform_arith::table::{Aim, Certified, Domain, Table, settle};
 pub use closedform_arith::tier::{Fate, Rounded};
 pub use closedform_arith::{DoubleDouble, Function, Operations, Precision, Real, Signs, positive_root};
-pub use closedform_derive::kernel;
+pub use closedform_derive::{Record, kernel};
 pub use error::{CallError, DomainError, LengthError, RangeError, RangeReason, ValueError};
 pub use info::{Info, Input, ResultInfo};
 pub use kernel::Kernel;
 pub use program::{Fast, Program};
+pub use record::Record;
 
 /// What expansions of `#[kernel]` call; not for people.
 #[doc(hidden)]
 pub mod __private {
     pub use crate::blocks::{BLOCK, Blocks, BlocksMut};
     pub use crate::fast::{fast, first_tier_fast, refined, with_bound};
+    pub use crate::rows::rows;
+    #[cfg(feature = "serde")]
+    pub use crate::serde::{deserialize, serialize};
     pub use crate::shape::{checked, faithful, first_tier, same_length, single, value};
     pub use closedform_arith::table::{Instruction, Source, Sum, Table};
     pub use closedform_arith::{Function, Relation, Terms};
+    #[cfg(feature = "serde")]
+    pub use serde_core;
+}
+
+/// Without the feature `serde` a record is a struct, and nothing else; not for people.
+#[cfg(not(feature = "serde"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __serialized {
+    ($record:ident, $name:literal, $count:literal) => {};
 }

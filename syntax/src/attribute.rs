@@ -4,10 +4,12 @@ use closedform_arith::Precision;
 use proc_macro2::{Ident, Span, TokenStream};
 use syn::parse::Parser;
 use syn::punctuated::Punctuated;
-use syn::{Attribute, Expr, ExprLit, Lit, LitStr, Meta, MetaList, Path, Token};
+use syn::{Attribute, Expr, ExprLit, Lit, LitStr, Meta, Path, Token};
 
 use crate::error::{self, Errors};
+use crate::example;
 use crate::kernel::{self, Certificate, Output, ResultMeta};
+use crate::meta::{documentation, items, text};
 
 /// The attribute as written, before the results of the kernel are known.
 #[derive(Default)]
@@ -19,6 +21,7 @@ pub struct Written {
     bound_place: Option<Span>,
     certificate: Option<LitStr>,
     results: Vec<About<Described>>,
+    example: Option<example::Written>,
 }
 
 /// A fact about one result.
@@ -71,6 +74,7 @@ impl Written {
                 self.results = vec![About { path: path.clone(), field: None, fact: described(item, errors) }]
             }
             Some("results") => self.results.extend(results(item, errors)),
+            Some("example") => self.example = example::parse(item, errors),
             _ => errors.push(path, error::ATTRIBUTE),
         }
     }
@@ -80,6 +84,7 @@ impl Written {
         &self,
         output: &Output,
         kernel: &Ident,
+        inputs: usize,
         attributes: &[Attribute],
         errors: &mut Errors,
     ) -> kernel::Meta {
@@ -89,6 +94,7 @@ impl Written {
             Output::Value(_) => vec![self.result(kernel, None)],
             Output::Struct { fields, .. } => fields.iter().map(|(field, _)| self.result(field, Some(field))).collect(),
         };
+        let example = self.example.as_ref().map(|example| example.of(inputs, results.len(), errors));
         kernel::Meta {
             family: self.text("family"),
             maxima: self.text("maxima"),
@@ -98,6 +104,7 @@ impl Written {
             rules: self.rules.clone(),
             precision: self.precision,
             results,
+            example,
             bound_place: self.bound_place,
             certificate: self.certificate.as_ref().map(|text| Certificate { text: text.value(), place: text.span() }),
         }
@@ -132,28 +139,6 @@ impl<T> About<T> {
             }
         }
     }
-}
-
-/// The items of a list; `message` says how to write it.
-pub fn items(list: &MetaList, message: &str, errors: &mut Errors) -> Vec<Meta> {
-    match list.parse_args_with(Punctuated::<Meta, Token![,]>::parse_terminated) {
-        Ok(items) => items.into_iter().collect(),
-        Err(_) => {
-            errors.push(list, message);
-            Vec::new()
-        }
-    }
-}
-
-/// The text of `key = "text"`.
-pub fn text(item: &Meta, errors: &mut Errors) -> Option<LitStr> {
-    if let Meta::NameValue(pair) = item
-        && let Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) = &pair.value
-    {
-        return Some(text.clone());
-    }
-    errors.push(item, error::TEXT);
-    None
 }
 
 fn precision(item: &Meta, errors: &mut Errors) -> Precision {
@@ -251,14 +236,7 @@ fn described(item: &Meta, errors: &mut Errors) -> Described {
 
 /// The first paragraph of the documentation, in one line, as a page shows it.
 fn summary(attributes: &[Attribute]) -> String {
-    let lines = attributes.iter().filter_map(|attribute| match &attribute.meta {
-        Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
-            Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text.value()),
-            _ => None,
-        },
-        _ => None,
-    });
-    let documentation = lines.collect::<Vec<_>>().join("\n");
+    let documentation = documentation(attributes);
     let paragraph = documentation.lines().map(str::trim).skip_while(|line| line.is_empty());
     without_escapes(&paragraph.take_while(|line| !line.is_empty()).collect::<Vec<_>>().join(" "))
 }

@@ -5,7 +5,7 @@ use quote::ToTokens;
 use syn::Result;
 
 pub const ATTRIBUTE: &str = "unknown key; `#[kernel(..)]` knows family, maxima, latex, source, rules, precision, \
-                             bound, certificate, result and results";
+                             bound, certificate, result, results and example";
 pub const ATTRIBUTE_TWICE: &str = "this key is written twice; keep one";
 pub const TEXT: &str = "write this key as `key = \"text\"`";
 pub const PRECISION: &str = "write the precision as `precision = \"double\"`, which is meant without it, `\"double-double\"` or `\"certified\"`";
@@ -24,6 +24,11 @@ pub const CERTIFICATE_ALONE: &str = "a certificate of no bound: remove it, or ru
                                      enters both";
 pub const RESULT: &str = "write a result as `result(worksheet = \"..\", unit = \"..\")`";
 pub const RESULTS: &str = "write the results as `results(field(worksheet = \"..\", unit = \"..\"), other(..))`";
+pub const EXAMPLE: &str = "write an example as `example(path = \"family::name\", inputs(1.0, 2.0), results(3.0))`: float \
+                           literals, and no results where none are known";
+pub const EXAMPLE_PATH: &str = "write the path from the crate's root to the kernel, as in `path = \"family::name\"`";
+pub const EXAMPLE_INPUTS: &str = "an example has one number for each input of the kernel";
+pub const EXAMPLE_RESULTS: &str = "an example has one number for each result of the kernel, in order, or no results";
 pub const FIELD_META_OF_NUMBER: &str =
     "this kernel returns a number, not a struct: write `result(..)` and `bound = ..`";
 pub const NUMBER_META_OF_STRUCT: &str = "this kernel returns a struct: name the field, as in `results(field(..))` and \
@@ -36,7 +41,7 @@ pub const TOO_MANY_INPUTS: &str = "a kernel takes at most 64 inputs; split it";
 pub const INPUT_TYPE: &str = "inputs are `f64`, by value; single precision and batches come with the kernel";
 pub const INPUT_PATTERN: &str = "an input is a plain name, as in `x: f64`";
 pub const INPUT_ATTRIBUTE: &str = "write `#[input(maxima = \"..\", unit = \"..\", typical(low, high))]`; no other attribute \
-                                   is allowed here";
+                                   is allowed here, besides documentation";
 pub const TYPICAL: &str = "write `typical(low, high)` with two float literals, 0.0 <= low <= high";
 pub const RETURN_TYPE: &str = "a kernel returns `f64` or a struct of `f64` declared beside it: write `-> f64`";
 

@@ -6,9 +6,9 @@ use quote::ToTokens;
 use syn::punctuated::Punctuated;
 use syn::{Attribute, FnArg, LitFloat, Meta, Path, ReturnType, Signature, Token, Type};
 
-use crate::attribute::{items, text};
 use crate::error::{self, Errors};
 use crate::kernel::Input;
+use crate::meta::{documentation, items, text};
 use crate::pattern::{intended_names, plain_name};
 use crate::scope::Scope;
 
@@ -83,8 +83,9 @@ fn input(argument: &FnArg, scope: &mut Scope, errors: &mut Errors) -> Option<Inp
     if type_name(&argument.ty).is_none_or(|declared| declared != "f64") {
         errors.push(&argument.ty, error::INPUT_TYPE);
     }
-    let mut input = Input { name: name.clone(), maxima: None, unit: None, typical: None };
-    for attribute in &argument.attrs {
+    let mut input =
+        Input { name: name.clone(), maxima: None, unit: None, doc: documentation(&argument.attrs), typical: None };
+    for attribute in argument.attrs.iter().filter(|attribute| !attribute.path().is_ident("doc")) {
         describe(&mut input, attribute, errors);
     }
     Some(input)

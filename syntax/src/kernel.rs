@@ -56,10 +56,23 @@ pub struct Meta {
     pub precision: Precision,
     /// One entry a result, in the order of the output.
     pub results: Vec<ResultMeta>,
+    /// A call that its documentation shows.
+    pub example: Option<Example>,
     /// Where bounds are stated, if any are.
     pub bound_place: Option<Span>,
     /// What shows that they were proved; read by [`certified`](crate::certified).
     pub certificate: Option<Certificate>,
+}
+
+/// A call, and what is known of its results from elsewhere.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Example {
+    /// The kernel as users of its crate name it: `family::name`.
+    pub path: String,
+    /// The inputs, in order.
+    pub inputs: Vec<f64>,
+    /// The results, in order; none where nothing is known of them.
+    pub results: Vec<f64>,
 }
 
 /// What is written as the certificate of bounds.
@@ -93,6 +106,8 @@ pub struct Input {
     pub maxima: Option<String>,
     /// Its unit.
     pub unit: Option<String>,
+    /// What it is, in Markdown; empty where nothing is said.
+    pub doc: String,
     /// The range of magnitudes to expect.
     pub typical: Option<(f64, f64)>,
 }

@@ -16,6 +16,7 @@ mod comparison;
 mod compensated;
 mod condition;
 mod error;
+mod example;
 mod expression;
 mod file;
 mod input;
@@ -23,6 +24,7 @@ mod interpret;
 mod kernel;
 mod limits;
 mod magnitude;
+mod meta;
 mod operations;
 mod output;
 mod pattern;
@@ -40,7 +42,7 @@ pub use compensated::{Extended, Operand, Operation, Part};
 pub use file::{Source, parse_file, sources};
 pub use interpret::{Violation, evaluate, violated};
 pub use kernel::{
-    BinaryOp, CompensatedExpr, Condition, Expr, Input, Kernel, Let, Meta, Name, Output, Require, ResultMeta,
+    BinaryOp, CompensatedExpr, Condition, Example, Expr, Input, Kernel, Let, Meta, Name, Output, Require, ResultMeta,
 };
 pub use limits::check as check_limits;
 pub use magnitude::{input_signs, ordinary, ordinary_when_bounded};
@@ -67,7 +69,9 @@ pub fn parse(attribute: TokenStream, item: ItemFn) -> Result<Kernel> {
     let returns = input::check_signature(&item.sig, &mut errors);
     let inputs = input::parse(&item.sig, &mut scope, &mut errors);
     let body = body::parse(&item, returns, &mut scope, &mut errors);
-    let meta = body.as_ref().map(|body| written.resolve(&body.output, &item.sig.ident, &item.attrs, &mut errors));
+    let meta = body
+        .as_ref()
+        .map(|body| written.resolve(&body.output, &item.sig.ident, inputs.len(), &item.attrs, &mut errors));
     errors.finish()?;
     let (Some(body), Some(meta)) = (body, meta) else {
         return Err(syn::Error::new_spanned(&item.sig, error::UNREADABLE));

@@ -97,6 +97,9 @@ fn read(target: &Path, messages: &str) -> Bare {
     bare
 }
 
+/// What calls by rows are given.
+const ROWS: &str = "rows: &[Inputs], results: &mut [Results]";
+
 /// The ways to call a kernel.
 #[derive(Clone, Copy)]
 enum Shape {
@@ -108,10 +111,13 @@ enum Shape {
     Batch,
     FastBatch,
     Single,
+    Named,
+    Rows,
+    FastRows,
 }
 
 impl Shape {
-    const ALL: [Self; 8] = [
+    const ALL: [Self; 11] = [
         Self::Default,
         Self::Checked,
         Self::Faithful,
@@ -120,6 +126,9 @@ impl Shape {
         Self::Batch,
         Self::FastBatch,
         Self::Single,
+        Self::Named,
+        Self::Rows,
+        Self::FastRows,
     ];
 
     fn function(self, info: &Info) -> String {
@@ -133,7 +142,19 @@ impl Shape {
             Self::Batch => format!("batch_{name}"),
             Self::FastBatch => format!("fast_batch_{name}"),
             Self::Single => format!("single_{name}"),
+            Self::Named => format!("named_{name}"),
+            Self::Rows => format!("rows_{name}"),
+            Self::FastRows => format!("fast_rows_{name}"),
         }
+    }
+
+    /// The function that makes this call of the kernel by its structs.
+    fn of_records(self, info: &Info, declared: &str, call: &str) -> String {
+        let (kernel, function) = (format!("closedform_kernels::{}", info.name), self.function(info));
+        let declared = declared.replace("Inputs", &format!("{kernel}::Inputs"));
+        let declared = declared.replace("Results", &format!("{kernel}::Results"));
+        let call = call.replace("kernel", &kernel);
+        format!("#[inline(never)]\npub fn {function}({declared}) {{\n    let _ = black_box({call});\n}}\n\n")
     }
 
     fn text(self, info: &Info) -> String {
@@ -149,6 +170,9 @@ impl Shape {
             Self::Batch => ("&[f64]", "::batch"),
             Self::FastBatch => ("&[f64]", "::fast_batch"),
             Self::Single => ("f32", "::f32"),
+            Self::Named => return self.of_records(info, "inputs: Inputs", "inputs.call()"),
+            Self::Rows => return self.of_records(info, ROWS, "kernel::rows(rows, results)"),
+            Self::FastRows => return self.of_records(info, ROWS, "kernel::fast_rows(rows, results)"),
         };
         let results =
             results.filter(|_| matches!(self, Self::Batch | Self::FastBatch)).map(|name| (name, "&mut [f64]"));

@@ -121,14 +121,14 @@ fn a_crate_of_somebody_else_gets_src_generated_alone() {
     desk.write("foreign/Cargo.toml", manifest);
     desk.write("foreign/src/lib.rs", "pub fn precious() -> u32 { 42 }\n");
     let said = desk.makes("my.mac", "foreign");
-    assert!(said.contains("add to src/lib.rs: pub mod generated;"), "{said}");
+    assert!(said.contains("add to src/lib.rs: pub mod generated; pub use generated::*;"), "{said}");
     let (_, line) = said.split_once("add to [dependencies] in Cargo.toml: ").unwrap();
     let (dependency, _) = line.split_once("} ").unwrap();
     assert_eq!(fs::read_to_string(desk.path("foreign/Cargo.toml")).unwrap(), manifest);
     assert_eq!(fs::read_to_string(desk.path("foreign/src/lib.rs")).unwrap(), "pub fn precious() -> u32 { 42 }\n");
     // With what it says, it builds and is judged; and there is nothing to say any more.
     desk.write("foreign/Cargo.toml", &format!("{manifest}{dependency}}}\n"));
-    desk.write("foreign/src/lib.rs", "pub mod generated;\npub fn precious() -> u32 { 42 }\n");
+    desk.write("foreign/src/lib.rs", "pub mod generated;\npub use generated::*;\npub fn precious() -> u32 { 42 }\n");
     desk.cargo("foreign", &["test", "--quiet"]);
     assert!(!desk.makes("my.mac", "foreign").contains("add to"));
 }

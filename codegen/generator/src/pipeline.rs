@@ -1,15 +1,16 @@
 //! The pipeline: families in, the text of every generated file out, each kernel proved equal to its references.
 
 use crate::algebra::Algebra;
-use crate::kernel::{KernelError, ProofError, WrittenError, make, make_as_written, prove};
+use crate::kernel::{KernelError, ProofError, WrittenError, golden_example, make, make_as_written, prove};
 use crate::program::cost;
-use crate::rust::{KernelText, ModuleText, print_module};
+use crate::rust::{ExampleText, KernelText, ModuleText, print_module};
 use closedform_bounds::with_certificates;
 use closedform_bounds::{BoundError, certified_bound_proof};
 use closedform_maxima::Definition;
 use closedform_project::contract::KernelContract;
 use closedform_project::family::{Family, Paths};
 use closedform_project::generated::{Generated, Made, Refused};
+use closedform_project::golden::{self, GoldenError, GoldenValue};
 use closedform_project::sample::{EmptyDomain, sample};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -52,6 +53,9 @@ pub enum PipelineError {
     /// A kernel is not there.
     #[error("kernel `{0}` is not in the generated text")]
     Missing(String),
+    /// The golden values cannot be read.
+    #[error(transparent)]
+    Golden(#[from] GoldenError),
     /// A kernel is not proved.
     #[error("{place}: kernel `{kernel}`: {cause}")]
     Unproved {
@@ -95,7 +99,7 @@ impl PipelineError {
             | Self::Missing(kernel)
             | Self::Unproved { kernel, .. }
             | Self::Bound { kernel, .. } => Some(kernel),
-            Self::Unreadable { .. } => None,
+            Self::Unreadable { .. } | Self::Golden(_) => None,
         }
     }
 
@@ -223,15 +227,26 @@ fn make_kernels(
     progress: &mut impl FnMut(&str),
 ) -> (Vec<KernelText>, Vec<PipelineError>) {
     let (mut kernels, mut causes) = (Vec::new(), Vec::new());
+    let golden = golden(family).unwrap_or_else(|cause| {
+        causes.push(cause.into());
+        Vec::new()
+    });
     for kernel in &family.contract.kernels {
         let name = format!("{}::{}", family.name, kernel.name);
         progress(&name);
-        match make_kernel(algebra, family, kernel, name) {
+        match make_kernel(algebra, family, kernel, &golden, name) {
             Ok(made) => kernels.push(made),
             Err(cause) => causes.push(cause),
         }
     }
     (kernels, causes)
+}
+
+/// The golden values of a family that Maxima has derived.
+fn golden(family: &Family) -> Result<Vec<GoldenValue>, GoldenError> {
+    let Paths { contract, reference, golden, .. } = &family.paths;
+    let derived = [contract, reference, golden].into_iter().all(|path| path.exists());
+    if derived { golden::load(golden) } else { Ok(Vec::new()) }
 }
 
 /// Takes the formulas of kernels that are not proved as they are written; whether there are any.
@@ -247,7 +262,7 @@ fn take_as_written(
         let contract = family.contract.kernels.iter().find(|contract| contract.name == kernel.name);
         let (Some(because), Some(contract)) = (open.get(name(kernel).as_str()), contract) else { continue };
         match as_written(family, &family.completed(contract), because.clone()) {
-            Ok(made) => *kernel = made,
+            Ok(made) => *kernel = KernelText { example: kernel.example.take(), ..made },
             Err(cause) => {
                 let place = family.place(&kernel.name).to_owned();
                 unmade.push(PipelineError::Kernel { kernel: name(kernel), place, cause });
@@ -276,16 +291,19 @@ fn make_kernel(
     algebra: Algebra,
     family: &Family,
     kernel: &KernelContract,
+    golden: &[GoldenValue],
     name: String,
 ) -> Result<KernelText, PipelineError> {
     let kernel = &family.completed(kernel);
     let inputs = family.contract.inputs_of(kernel);
     let place = || family.place(&kernel.name).to_owned();
-    sample(&kernel.domain, &inputs, 1, 0).map_err(|cause| PipelineError::Empty {
+    let points = sample(&kernel.domain, &inputs, 1, 0).map_err(|cause| PipelineError::Empty {
         kernel: name.clone(),
         place: place(),
         cause,
     })?;
+    let call = || Some(ExampleText { inputs: points.into_iter().next()?, results: Vec::new() });
+    let example = golden_example(kernel, golden).or_else(call);
     let references = references_of(family, kernel);
     let made = match make(algebra, &family.contract, kernel, &references) {
         Err(cause) if cause.leaves_the_formula_as_written() => as_written(family, kernel, cause.to_string()),
@@ -295,7 +313,8 @@ fn make_kernel(
             None => Ok(made),
         },
     };
-    made.map_err(|cause| PipelineError::Kernel { kernel: name, place: place(), cause })
+    let made = made.map_err(|cause| PipelineError::Kernel { kernel: name, place: place(), cause })?;
+    Ok(KernelText { example, ..made })
 }
 
 fn module_text(family: &Family, kernels: &[KernelText]) -> String {

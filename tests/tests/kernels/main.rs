@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod calls;
+mod named;
 mod printed;
 mod sources;
 
@@ -10,7 +11,7 @@ use std::process::ExitCode;
 use closedform_tests::harness::{self, Question};
 use closedform_tests::magnitudes;
 
-const QUESTIONS: [Question; 21] = [
+const QUESTIONS: [Question; 22] = [
     Question::to_all("bound", accuracy::bound),
     Question::to_all("kept", accuracy::kept),
     Question::to_all("formula", accuracy::formula),
@@ -23,6 +24,7 @@ const QUESTIONS: [Question; 21] = [
     Question::to_all("finite", calls::finite),
     Question::to_all("batch", calls::batch),
     Question::to_all("fast", calls::fast),
+    Question::to_all("named", named::named),
     Question::to_all("single", calls::single),
     Question::to_all("units", calls::units),
     Question::to_all("table", calls::table),

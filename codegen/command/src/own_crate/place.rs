@@ -137,7 +137,8 @@ pub(super) fn lines_to_add(out: &Path, runtime: &Runtime, root: &Path) -> Result
     let sources = ["src/lib.rs", "src/main.rs"].map(|name| fs::read_to_string(out.join(name)).unwrap_or_default());
     if !sources.iter().any(|source| source.contains("mod generated;")) {
         let file = if sources[0].is_empty() && !sources[1].is_empty() { "src/main.rs" } else { "src/lib.rs" };
-        lines.push(format!("add to {file}: pub mod generated;"));
+        // examples in documentation name kernels from the root of a library
+        lines.push(format!("add to {file}: pub mod generated; pub use generated::*;"));
     }
     let manifest: toml::Table = read(&out.join("Cargo.toml"))?.parse().unwrap_or_default();
     if manifest.get("dependencies").and_then(|dependencies| dependencies.get("closedform")).is_none() {

@@ -47,7 +47,8 @@ pub(super) fn manifest(package: &str, runtime: &str, enclosing: Option<&Enclosin
 /// `src/lib.rs`.
 pub(super) const LIBRARY: &str = "//! Kernels that `closedform generate` made of worksheets, and what else you add here.\n\
                                   //!\n\
-                                  //! Each worksheet is a module; `pub use generated::NAME::*;` brings its kernels to the top.\n\n\
+                                  //! Each worksheet is a module; `pub use generated::NAME::*;` brings its kernels to the top.\n\
+                                  //! Examples in their documentation name them as `pub use generated::*;` shows them.\n\n\
                                   #![no_std]\n#![forbid(unsafe_code)]\n\nmod generated;\n\npub use generated::*;\n";
 
 /// A manifest with one more table, before the one that makes it a workspace of its own.
@@ -85,7 +86,7 @@ pub(super) const MAKEFILE: &str = include_str!("../../example/Makefile");
 
 /// README.md of a project.
 pub(super) fn project_readme(package: &str) -> String {
-    include_str!("../../example/README.md").replace("PACKAGE", package)
+    include_str!("../../example/README.md").replace("PACKAGE", package).replace("CRATE", &package.replace('-', "_"))
 }
 
 /// The workflow of a project, whose line `install` installs the command.

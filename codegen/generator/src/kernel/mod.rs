@@ -4,6 +4,7 @@ mod as_written;
 mod domain;
 mod domain_proof;
 mod error;
+mod example;
 mod formula;
 mod known;
 mod limit;
@@ -12,6 +13,7 @@ mod read_back;
 mod written;
 
 pub use error::KernelError;
+pub use example::golden_example;
 pub use proof::{ProofError, prove};
 pub use written::WrittenError;
 
@@ -144,6 +146,7 @@ fn text(
         inputs,
         requires: made.requires,
         results: made.results,
+        example: None,
         rules: made.rules,
         precision: made.precision,
         certified_because: None,

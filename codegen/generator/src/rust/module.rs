@@ -1,7 +1,9 @@
 //! Modules: a family of kernels with their documentation, as one Rust file.
 
+use super::docs::{docs, in_unit, sentence, wrapped};
 use super::expression::Printer;
-use crate::program::{Condition, Graph, Node, Program};
+use super::kernel_text::{ExampleText, KernelText, RuleText};
+use crate::program::Node;
 use closedform_project::markdown::{code, one_line, plain};
 use closedform_syntax::Precision;
 use std::collections::BTreeSet;
@@ -19,87 +21,6 @@ pub struct ModuleText<'a> {
     pub made_from: &'a str,
     /// The kernels, in order.
     pub kernels: &'a [KernelText],
-}
-
-/// Everything that is printed of a kernel.
-pub struct KernelText {
-    /// The Rust name.
-    pub name: String,
-    /// One sentence.
-    pub doc: String,
-    /// The closed form of each result, as Maxima text.
-    pub maxima: Vec<String>,
-    /// The closed form as LaTeX.
-    pub latex: String,
-    /// The cell of the worksheet.
-    pub source: String,
-    /// Which of several solutions it is.
-    pub branch: Option<String>,
-    /// What happens at the domain's edges.
-    pub edges: Option<String>,
-    /// The struct that is returned, if there is more than one result.
-    pub returns: Option<String>,
-    /// The inputs, in order.
-    pub inputs: Vec<InputDoc>,
-    /// The conditions, in order.
-    pub requires: Vec<RequireText>,
-    /// The results, in order.
-    pub results: Vec<ResultText>,
-    /// The rules that made the program.
-    pub rules: Vec<RuleText>,
-    /// What it computes in.
-    pub precision: Precision,
-    /// Why the formula stands as it is written, in certified arithmetic, if it does.
-    pub certified_because: Option<String>,
-    /// The steps.
-    pub graph: Graph,
-    /// The order and the names of the steps.
-    pub program: Program,
-}
-
-/// An input as documented.
-pub struct InputDoc {
-    /// The Rust name.
-    pub name: String,
-    /// The worksheet's name.
-    pub maxima: String,
-    /// The unit.
-    pub unit: String,
-    /// What it is.
-    pub doc: String,
-    /// The magnitudes to expect.
-    pub typical: [f64; 2],
-}
-
-/// A rule as documented.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct RuleText {
-    /// The name.
-    pub name: &'static str,
-    /// What it does.
-    pub statement: &'static str,
-    /// When it may be used.
-    pub condition: &'static str,
-}
-
-/// A condition with its text.
-pub struct RequireText {
-    /// What is evaluated.
-    pub condition: Condition,
-    /// What the contract says.
-    pub text: String,
-}
-
-/// A result as documented.
-pub struct ResultText {
-    /// The field.
-    pub name: String,
-    /// The worksheet's name.
-    pub worksheet: String,
-    /// The unit.
-    pub unit: String,
-    /// The bound in ulp.
-    pub bound: f64,
 }
 
 /// The text of a family's file.
@@ -141,11 +62,14 @@ fn print_kernel(text: &mut String, family: &str, kernel: &KernelText) {
         print_struct(text, name, kernel);
     }
     text.push('\n');
-    print_docs(text, kernel);
+    docs(kernel).iter().for_each(|line| _ = writeln!(text, "{}", format!("/// {line}").trim_end()));
     print_attribute(text, family, kernel);
     let _ = writeln!(text, "pub fn {}(", kernel.name);
     for input in &kernel.inputs {
         let [low, high] = input.typical;
+        if !input.doc.trim().is_empty() {
+            wrapped(&plain(&input.doc), "").iter().for_each(|line| _ = writeln!(text, "    /// {line}"));
+        }
         let _ = writeln!(
             text,
             "    #[input(maxima = {:?}, unit = {:?}, typical({low:?}, {high:?}))] {}: f64,",
@@ -159,7 +83,7 @@ fn print_kernel(text: &mut String, family: &str, kernel: &KernelText) {
 
 fn print_struct(text: &mut String, name: &str, kernel: &KernelText) {
     let _ = writeln!(text, "\n/// What [`{}`](fn@{}) returns.", kernel.name, kernel.name);
-    let _ = writeln!(text, "#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {name} {{");
+    let _ = writeln!(text, "#[derive(Clone, Copy, Debug, PartialEq, closedform::Record)]\npub struct {name} {{");
     for result in &kernel.results {
         let _ = writeln!(
             text,
@@ -170,71 +94,6 @@ fn print_struct(text: &mut String, name: &str, kernel: &KernelText) {
         let _ = writeln!(text, "    pub {}: f64,", result.name);
     }
     text.push_str("}\n");
-}
-
-/// `in m/s`; nothing of a number.
-fn in_unit(unit: &str) -> Option<String> {
-    (unit != "1").then(|| format!("in {}", plain(unit)))
-}
-
-/// A text that somebody wrote, as one sentence of a documentation.
-fn sentence(text: &str) -> String {
-    format!("{}.", plain(text.trim().trim_end_matches('.')))
-}
-
-fn print_docs(text: &mut String, kernel: &KernelText) {
-    for line in docs(kernel) {
-        let _ = writeln!(text, "{}", format!("/// {line}").trim_end());
-    }
-}
-
-/// The documentation of a kernel: paragraphs with an empty line between.
-fn docs(kernel: &KernelText) -> Vec<String> {
-    let doc = if kernel.doc.trim().is_empty() { code(&kernel.name) } else { plain(&kernel.doc) };
-    let mut paragraphs: Vec<Vec<String>> = vec![vec![doc]];
-    let formulas = kernel.maxima.iter().cloned();
-    paragraphs.push(["```text".to_owned()].into_iter().chain(formulas).chain(["```".to_owned()]).collect());
-    paragraphs.extend(kernel.branch.iter().map(|branch| vec![format!("Branch: {}", sentence(branch))]));
-    paragraphs.push(vec!["# Inputs".to_owned()]);
-    paragraphs.push(kernel.inputs.iter().map(input_line).collect());
-    paragraphs.push(vec!["# Domain".to_owned()]);
-    if kernel.requires.is_empty() {
-        paragraphs.push(vec!["All finite inputs.".to_owned()]);
-    } else {
-        paragraphs.push(vec!["All inputs are finite; NaN outside of:".to_owned()]);
-        paragraphs.push(kernel.requires.iter().map(|require| format!("- {}", code(&require.text))).collect());
-    }
-    paragraphs.extend(kernel.edges.iter().map(|edges| vec![format!("At the edges: {}", sentence(edges))]));
-    paragraphs.push(vec!["# Error".to_owned()]);
-    paragraphs.push(kernel.results.iter().map(|result| bound_line(kernel, result)).collect());
-    if !kernel.source.trim().is_empty() {
-        paragraphs.push(vec![format!("From: {}", sentence(&kernel.source))]);
-    }
-    paragraphs.join(&String::new())
-}
-
-/// An input with what is known of it; its name in the worksheet where that is another one.
-fn input_line(input: &InputDoc) -> String {
-    let mut line = format!("- {}", code(&input.name));
-    if input.maxima != input.name {
-        let _ = write!(line, " ({})", code(&input.maxima));
-    }
-    if let Some(unit) = in_unit(&input.unit) {
-        let _ = write!(line, ", {unit}");
-    }
-    if !input.doc.trim().is_empty() {
-        let _ = write!(line, ": {}", plain(&input.doc));
-    }
-    line
-}
-
-fn bound_line(kernel: &KernelText, result: &ResultText) -> String {
-    let what = if kernel.results.len() == 1 { String::new() } else { format!("{}: ", code(&result.name)) };
-    let enforced = match kernel.precision {
-        Precision::Double | Precision::DoubleDouble => "",
-        Precision::Certified => "; every call sees to it, and gives NaN where 4,096 bits do not decide",
-    };
-    format!("- {what}at most {} ulp, barring overflow and underflow of the result{enforced}", result.bound)
 }
 
 fn print_attribute(text: &mut String, family: &str, kernel: &KernelText) {
@@ -263,7 +122,20 @@ fn print_attribute(text: &mut String, family: &str, kernel: &KernelText) {
             let _ = writeln!(text, "    result(worksheet = {:?}, unit = {:?}),", result.worksheet, result.unit);
         }
     }
+    if let Some(example) = &kernel.example {
+        print_example(text, family, &kernel.name, example);
+    }
     let _ = writeln!(text, ")]");
+}
+
+fn print_example(text: &mut String, family: &str, kernel: &str, example: &ExampleText) {
+    let list = |numbers: &[f64]| numbers.iter().map(|number| format!("{number:?}")).collect::<Vec<_>>().join(", ");
+    let path = format!("{family}::{kernel}");
+    let _ = writeln!(text, "    example(\n        path = {path:?},\n        inputs({}),", list(&example.inputs));
+    if !example.results.is_empty() {
+        let _ = writeln!(text, "        results({}),", list(&example.results));
+    }
+    let _ = writeln!(text, "    ),");
 }
 
 fn print_body(text: &mut String, kernel: &KernelText) {

@@ -34,6 +34,7 @@ fn text_of(graph: Graph, output: Node, conditions: Vec<Condition>) -> KernelText
         inputs,
         requires: conditions.into_iter().map(|condition| RequireText::new(condition, "a condition")).collect(),
         results: vec![result],
+        example: None,
         rules: Vec::new(),
         precision: Precision::Double,
         certified_because: None,

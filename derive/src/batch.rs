@@ -1,0 +1,145 @@
+//! Batches: many points, one slice an input and one a result, or one struct a point.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
+use syn::ext::IdentExt;
+
+use crate::parts::Parts;
+
+impl Parts<'_> {
+    /// The function `batch`.
+    pub fn batch(&self) -> TokenStream {
+        self.rows_in_blocks(
+            "batch",
+            "The values of many points, bit for bit those of single calls; inputs first, then one slice a result.",
+            ["first_tier", "value"],
+        )
+    }
+
+    /// The function `fast_batch`.
+    pub fn fast_batch(&self) -> TokenStream {
+        self.rows_in_blocks(
+            "fast_batch",
+            "What [`fast`] returns of many points; inputs first, then one slice a result.",
+            ["first_tier_fast", "refined"],
+        )
+    }
+
+    /// A batch, by blocks: all rows `first_tier`, which has no branch, and those again that escalate.
+    fn rows_in_blocks(&self, name: &str, documentation: &str, [first_tier, again]: [&str; 2]) -> TokenStream {
+        let Parts { inputs, results, sizes, .. } = self;
+        let checks = self.length_checks();
+        let values: Vec<_> =
+            (0..results.len()).map(|i| format_ident!("__value_{i}", span = Span::mixed_site())).collect();
+        let [name, quick, again] = [name, quick, again].map(|name| Ident::new(name, Span::call_site()));
+        let [escalate, escalated, row, any] =
+            ["__escalate", "__escalated", "__row", "__any"].map(|name| Ident::new(name, Span::mixed_site()));
+        let (pattern, blocks) = self.zipped(
+            |input| quote!(::closedform::__private::Blocks(#input)),
+            |result| quote!(::closedform::__private::BlocksMut(#result)),
+        );
+        let (_, rows) = self.zipped(|input| quote!(#input.iter()), |result| quote!(#result.iter_mut()));
+        quote! {
+            #[doc = #documentation]
+            ///
+            /// # Errors
+            ///
+            /// When a slice is not as long as the first one. Then nothing is written.
+            pub fn #name(
+                #(#inputs: &[f64],)*
+                #(#results: &mut [f64]),*
+            ) -> ::core::result::Result<(), ::closedform::LengthError> {
+                #checks
+                for #pattern in #blocks {
+                    let mut #escalated = [0; ::closedform::__private::BLOCK];
+                    let mut #any = 0;
+                    for (#pattern, #row) in #rows.zip(&mut #escalated) {
+                        let #escalate = ::core::cell::Cell::new(0);
+                        let [#(#values),*] =
+                            ::closedform::__private::#first_tier::<Program, #sizes>(&[#(*#inputs),*], &#escalate);
+                        #(*#results = #values;)*
+                        *#row = #escalate.get();
+                        #any |= #escalate.get();
+                    }
+                    if #any != 0 {
+                        for (#pattern, #row) in #rows.zip(&#escalated) {
+                            if *#row != 0 {
+                                let [#(#values),*] =
+                                    ::closedform::__private::#again::<Program, #sizes>(&[#(*#inputs),*]);
+                                #(*#results = #values;)*
+                            }
+                        }
+                    }
+                }
+                ::core::result::Result::Ok(())
+            }
+        }
+    }
+
+    /// That all slices of a batch are as long as the first.
+    fn length_checks(&self) -> TokenStream {
+        let length = Ident::new("__length", Span::mixed_site());
+        let slices = self.inputs.iter().copied().chain(&self.results);
+        let checks = slices.clone().skip(1).map(|slice| {
+            let name = slice.unraw().to_string();
+            quote!(::closedform::__private::same_length(INFO.name, #name, #length, #slice.len())?;)
+        });
+        let first = self.inputs.first();
+        quote! {
+            let #length = #first.len();
+            #(#checks)*
+        }
+    }
+
+    /// A pattern and an iterator of all inputs and results together. Zipped slices need no bounds checks.
+    fn zipped(
+        &self,
+        input: impl Fn(&Ident) -> TokenStream,
+        result: impl Fn(&Ident) -> TokenStream,
+    ) -> (TokenStream, TokenStream) {
+        let inputs = self.inputs.iter().map(|name| (quote!(#name), input(name)));
+        let results = self.results.iter().map(|name| (quote!(#name), result(name)));
+        let zipped = inputs.chain(results).reduce(|(pattern, rows), (next_pattern, next_rows)| {
+            (quote!((#pattern, #next_pattern)), quote!(#rows.zip(#next_rows)))
+        });
+        zipped.unwrap_or_default()
+    }
+
+    /// The functions `rows` and `fast_rows`.
+    pub fn rows(&self) -> TokenStream {
+        let rows = self.rows_by(
+            "rows",
+            "The results of many rows of inputs, bit for bit those of single calls; of both slices the same length.",
+            "batch",
+        );
+        let fast_rows = self.rows_by("fast_rows", "What [`fast`] returns of many rows of inputs.", "fast_batch");
+        quote!(#rows #fast_rows)
+    }
+
+    /// Rows, by columns of few of them at a time.
+    fn rows_by(&self, name: &str, documentation: &str, batch: &str) -> TokenStream {
+        let Parts { results, sizes, .. } = self;
+        let [name, batch] = [name, batch].map(|name| Ident::new(name, Span::call_site()));
+        let output = self.output(&quote!(super::));
+        quote! {
+            #[doc = #documentation]
+            ///
+            /// # Errors
+            ///
+            /// When there are not as many results as rows. Then nothing is written.
+            #[inline]
+            pub fn #name(
+                rows: &[Inputs],
+                results: &mut [Results],
+            ) -> ::core::result::Result<(), ::closedform::LengthError> {
+                ::closedform::__private::rows(
+                    INFO.name,
+                    rows,
+                    results,
+                    |[#(#results),*]| #output,
+                    <Program as ::closedform::Program<#sizes>>::#batch,
+                )
+            }
+        }
+    }
+}

@@ -1,0 +1,8 @@
+use closedform::kernel;
+
+#[kernel(example(path = "f", inputs(1.0, 2.0)))]
+pub fn f(x: f64) -> f64 {
+    x
+}
+
+fn main() {}
