@@ -31,7 +31,7 @@ impl Parts<'_> {
         let checks = self.length_checks();
         let values: Vec<_> =
             (0..results.len()).map(|i| format_ident!("__value_{i}", span = Span::mixed_site())).collect();
-        let [name, quick, again] = [name, quick, again].map(|name| Ident::new(name, Span::call_site()));
+        let [name, first_tier, again] = [name, first_tier, again].map(|name| Ident::new(name, Span::call_site()));
         let [escalate, escalated, row, any] =
             ["__escalate", "__escalated", "__row", "__any"].map(|name| Ident::new(name, Span::mixed_site()));
         let (pattern, blocks) = self.zipped(
