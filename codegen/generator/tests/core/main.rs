@@ -1,7 +1,6 @@
 //! The core by itself: exact algebra, signs, towers, nesting, steps, names, text and proofs, with the small ring.
 
 mod graphs;
-mod names;
 mod naming;
 mod nesting;
 mod printing;
