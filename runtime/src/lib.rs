@@ -72,8 +72,8 @@ pub use program::{Fast, Program};
 /// What expansions of `#[kernel]` call; not for people.
 #[doc(hidden)]
 pub mod __private {
-    pub use crate::blocks::{BLOCK, Blocks, BlocksMut};
-    pub use crate::fast::{fast, first_tier_fast, refined, with_bound};
+    pub use crate::blocks::{BLOCK, Blocks, BlocksMut, raised};
+    pub use crate::fast::{fast, fast_again, fast_first_tier, with_bound};
     pub use crate::shape::{checked, faithful, first_tier, same_length, single, value};
     pub use closedform_arith::table::{Instruction, Source, Sum, Table};
     pub use closedform_arith::{Function, Relation, Terms};
