@@ -158,7 +158,7 @@ impl Bounds {
 
     /// The number, unless it may overflow, or underflow to one of which a unit of relative error is not normal.
     pub(super) fn with_its_error(self) -> Option<Self> {
-        (self.low >= NORMAL + FRACTION + 1).then_some(self)?.finite()
+        (self.low > NORMAL + FRACTION).then_some(self)?.finite()
     }
 
     /// The leading part of a number in double-double, tested to be 0 or of a magnitude in range. What it is a
