@@ -195,10 +195,11 @@ pub mod bounded {
     /// The largest count of which anything is proved: (1 + u)^count is at most 1 + 2^-32 then.
     pub const MOST: u32 = 1 << 20;
 
-    /// One count: (1 + u)^n - 1 <= n u/(1 - n u) <= n u (1 + 2^-32), and one rounding.
-    pub const RELATIVE: f64 = UNIT * (1.0 + ROUNDINGS);
+    /// One count, and [`ROOM`]: (1 + u)^n - 1 <= n u/(1 - n u) <= n u (1 + 2^-32), and one rounding.
+    pub const RELATIVE: f64 = UNIT * (1.0 + ROUNDINGS) * ROOM;
 
-    /// What a bound may be too small by where it was computed in [`MOST`] roundings, and those of a test.
+    /// What a bound may be too small by where it was computed in [`MOST`] roundings, and those of a test. Errors are made larger by
+    /// it where they begin, so that no test has to.
     pub const ROOM: f64 = 1.0 + ROUNDINGS;
 
     /// What is left of a promise, which is relative to the exact value, when it is tested against the computed one.

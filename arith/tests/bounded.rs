@@ -77,7 +77,7 @@ fn operand<'a, const WATCHED: bool>(value: f64, random: &mut Random, escalate: &
     Operand { number, exact: Float::with_val(BITS, value) * factor + error }
 }
 
-/// What a bound is of the true error; `None` where the number escalates or has no bound.
+/// What a bound is of the true error; `None` where the number escalates or has no bound. A promise that it keeps is true.
 fn share<const WATCHED: bool>(found: Bounded<'_, WATCHED>, exact: &Float, escalate: &Cell<bool>) -> Option<f64> {
     let bound = found.bound();
     if escalate.replace(false) || !bound.is_finite() || !found.value().is_finite() {
@@ -85,6 +85,11 @@ fn share<const WATCHED: bool>(found: Bounded<'_, WATCHED>, exact: &Float, escala
     }
     let error = Float::with_val(BITS, exact - found.value()).abs();
     assert!(error <= bound, "{exact} is {} +- {bound:e}", found.value());
+    for promise in [2.0, 4.0, 8.0, 24.0, 900.0, 1e6, 1e12].map(|units| units * UNIT) {
+        found.keeping(promise);
+        let kept = !escalate.replace(false);
+        assert!(!kept || error <= exact.clone().abs() * promise, "{exact} is {} but for {promise:e}", found.value());
+    }
     Some(if bound == 0.0 { 0.0 } else { (error / bound).to_f64() })
 }
 
@@ -222,6 +227,45 @@ fn what_has_no_value_escalates() {
     assert!(escalates(watched(1e-200).mul(&watched(1e-200))));
     assert!(escalates(watched(1e200).mul(&watched(1e200))));
     assert!(!escalates(watched(0.0).mul(&watched(1e-200))));
+}
+
+#[test]
+fn promises_that_are_kept_are_not_needlessly_large() {
+    let (mut random, escalate) = (Random(1_597_334_677), Cell::new(false));
+    let (mut largest, mut kept) = (0.0_f64, 0);
+    for _ in 0..40_000 {
+        let value = 1.0 + random.below(1 << 20) as f64 * UNIT;
+        let (error, factor) = ((1 + random.below(1 << 20)) as f64 * UNIT, random.number());
+        let number = Bounded::<false>::with_error(value, 0, error, Signs::POSITIVE, &escalate);
+        let other = Bounded::<false>::new(factor, Signs::ANY, &escalate);
+        let divides = random.below(2) == 0;
+        let found = if divides { number.div(&other) } else { number.mul(&other) };
+        let most = Float::with_val(BITS, value) + error;
+        let exact = if divides { most / factor } else { most * factor };
+        let promise = (error + 3.0 * UNIT) * 1.000_001;
+        found.keeping(promise);
+        if escalate.replace(false) || exact.is_zero() {
+            continue;
+        }
+        let off = Float::with_val(BITS, &exact - found.value()).abs() / exact.abs();
+        assert!(off <= promise);
+        (largest, kept) = (largest.max(off.to_f64() / promise), kept + 1);
+    }
+    assert!(kept > 30_000 && largest > 0.99, "{kept} kept, {largest} of the promise at most");
+}
+
+#[test]
+fn signs_that_a_program_tells_decide_comparisons_with_zero() {
+    let escalate = Cell::new(false);
+    let number = |value, signs| Bounded::<false>::with_error(value, 1, 1.0, signs, &escalate);
+    let zero = number(0.0, Signs::ANY).literal(0.0);
+    let (above, below) = (number(1.0, Signs::POSITIVE), number(-1.0, Signs::NOT_POSITIVE));
+    assert!(above > zero && zero < above && above >= zero && below <= zero && zero >= below);
+    assert!(!escalate.replace(false));
+    let _ = (below < zero, zero > below);
+    assert!(escalate.replace(false), "it may be zero");
+    let _ = number(1.0, Signs::ANY) > zero;
+    assert!(escalate.replace(false), "its error is as large as it is");
 }
 
 #[test]

@@ -21,19 +21,17 @@ impl Parts<'_> {
         self.rows_in_blocks(
             "fast_batch",
             "What [`fast`] returns of many points; inputs first, then one slice a result.",
-            ["first_tier_fast", "refined"],
+            ["fast_first_tier", "fast_again"],
         )
     }
 
-    /// A batch, by blocks: all rows `first_tier`, which has no branch, and those again that escalate.
+    /// A batch, by blocks: all rows `first_tier`, which has no branch, and those `again` that escalate.
     fn rows_in_blocks(&self, name: &str, documentation: &str, [first_tier, again]: [&str; 2]) -> TokenStream {
         let Parts { inputs, results, sizes, .. } = self;
         let checks = self.length_checks();
-        let values: Vec<_> =
-            (0..results.len()).map(|i| format_ident!("__value_{i}", span = Span::mixed_site())).collect();
         let [name, first_tier, again] = [name, first_tier, again].map(|name| Ident::new(name, Span::call_site()));
-        let [escalate, escalated, row, any] =
-            ["__escalate", "__escalated", "__row", "__any"].map(|name| Ident::new(name, Span::mixed_site()));
+        let [escalate, escalated, row, any, block] =
+            ["__escalate", "__escalated", "__row", "__any", "__block"].map(|name| Ident::new(name, Span::mixed_site()));
         let (pattern, blocks) = self.zipped(
             |input| quote!(::closedform::__private::Blocks(#input)),
             |result| quote!(::closedform::__private::BlocksMut(#result)),
@@ -49,25 +47,34 @@ impl Parts<'_> {
                 #(#inputs: &[f64],)*
                 #(#results: &mut [f64]),*
             ) -> ::core::result::Result<(), ::closedform::LengthError> {
-                #checks
-                for #pattern in #blocks {
-                    let mut #escalated = [0; ::closedform::__private::BLOCK];
+                // Arguments of a function do not overlap: compilers need not look whether they do.
+                #[inline(never)]
+                fn #block(
+                    #(#inputs: &[f64],)*
+                    #(#results: &mut [f64],)*
+                    #escalated: &mut [u64; ::closedform::__private::BLOCK],
+                ) -> u64 {
                     let mut #any = 0;
-                    for (#pattern, #row) in #rows.zip(&mut #escalated) {
+                    for (#pattern, #row) in #rows.zip(#escalated) {
                         let #escalate = ::core::cell::Cell::new(0);
-                        let [#(#values),*] =
+                        [#(*#results),*] =
                             ::closedform::__private::#first_tier::<Program, #sizes>(&[#(*#inputs),*], &#escalate);
-                        #(*#results = #values;)*
                         *#row = #escalate.get();
                         #any |= #escalate.get();
                     }
-                    if #any != 0 {
-                        for (#pattern, #row) in #rows.zip(&#escalated) {
-                            if *#row != 0 {
-                                let [#(#values),*] =
-                                    ::closedform::__private::#again::<Program, #sizes>(&[#(*#inputs),*]);
-                                #(*#results = #values;)*
-                            }
+                    #any
+                }
+                #checks
+                let mut #escalated = [0; ::closedform::__private::BLOCK];
+                for #pattern in #blocks {
+                    if #block(#(#inputs,)* #(&mut *#results,)* &mut #escalated) == 0 {
+                        continue;
+                    }
+                    for #row in ::closedform::__private::raised(&#escalated) {
+                        if let (#(::core::option::Option::Some(#inputs),)* #(::core::option::Option::Some(#results)),*) =
+                            (#(#inputs.get(#row),)* #(#results.get_mut(#row)),*)
+                        {
+                            [#(*#results),*] = ::closedform::__private::#again::<Program, #sizes>(&[#(*#inputs),*]);
                         }
                     }
                 }

@@ -50,8 +50,8 @@ pub fn info(kernel: &Kernel) -> TokenStream {
 pub fn fast(kernel: &Kernel) -> TokenStream {
     let ordinary = ordinary_when_bounded(kernel);
     let signs = input_signs(kernel).into_iter().map(|signs| {
-        let (negative, positive) = (signs.negative, signs.positive);
-        quote!(::closedform::Signs { negative: #negative, positive: #positive })
+        let (negative, positive, zero) = (signs.negative, signs.positive, signs.zero);
+        quote!(::closedform::Signs { negative: #negative, positive: #positive, zero: #zero })
     });
     quote!(::closedform::Fast { ordinary: #ordinary, signs: [#(#signs),*] })
 }

@@ -3,6 +3,20 @@
 /// Rows that are computed together: what they need stays in the fastest cache.
 pub const BLOCK: usize = 256;
 
+/// Flags of which it is asked together whether any is raised.
+const GROUP: usize = 16;
+
+/// Where flags are raised.
+#[inline]
+pub fn raised(flags: &[u64; BLOCK]) -> impl Iterator<Item = usize> {
+    let groups =
+        flags.chunks_exact(GROUP).enumerate().filter(|(_, group)| group.iter().fold(0, |any, flag| any | flag) != 0);
+    groups.flat_map(|(at, group)| {
+        let raised = group.iter().enumerate().filter(|(_, flag)| **flag != 0);
+        raised.map(move |(place, _)| at * GROUP + place)
+    })
+}
+
 /// The blocks of inputs; the last one may be shorter.
 #[derive(Debug)]
 pub struct Blocks<'a>(pub &'a [f64]);

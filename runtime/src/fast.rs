@@ -1,4 +1,4 @@
-//! Calls whose results carry bounds of their own errors: `fast`, its batch row, and `with_bound`.
+//! Calls whose results carry bounds of their own errors: `fast`, what its batch is made of, and `with_bound`.
 //!
 //! The program runs in [`Bounded`] numbers. Where these cannot tell that a result keeps the promise, or whether a condition holds,
 //! the call is made again: the default call of a kernel whose bounds are proved, else one in certified balls.
@@ -7,55 +7,101 @@ use core::cell::Cell;
 
 use closedform_arith::error_model::bounded::PROMISE;
 use closedform_arith::error_model::{CERTIFIED_ULP, UNIT};
-use closedform_arith::{Bounded, Precision, tier};
+use closedform_arith::{Bounded, Precision, Signs, tier};
 
 use crate::info::{Info, ResultInfo};
-use crate::program::Program;
-use crate::shape::{all, answered, ordinary, raise, value, values, where_inside};
+use crate::program::{Fast, Program};
+use crate::shape::{all, answered, each, ordinary, value, values};
 
 /// The results with a relative error of at most [`PROMISE`]; NaN outside the domain.
 #[inline(always)]
 pub fn fast<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
-    let escalate = Cell::new(0);
-    let results = first_tier_fast::<P, N, K, M>(inputs, &escalate);
-    if escalate.get() != 0 { refined::<P, N, K, M>(inputs) } else { results }
+    let found = first_tier::<P, N, K, M>(inputs);
+    if found.is_certain() { found.results } else { fast_again::<P, N, K, M>(inputs) }
 }
 
-/// What [`fast`] returns, unless `escalate` is raised.
+/// What [`fast`] returns, unless `escalate` is raised: that the inputs may be outside the domain is a reason too.
 #[inline(always)]
-pub fn first_tier_fast<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+pub fn fast_first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
     escalate: &Cell<u64>,
 ) -> [f64; M] {
-    if const { P::FAST.ordinary == 0 } {
-        bounded::<P, N, K, M, true, f64>(inputs, escalate, |number| number.keeping(PROMISE), f64::NAN)
-    } else {
-        bounded::<P, N, K, M, false, f64>(inputs, escalate, |number| number.keeping(PROMISE), f64::NAN)
+    let found = first_tier::<P, N, K, M>(inputs);
+    escalate.set(u64::from(!found.is_certain()));
+    found.results
+}
+
+/// What [`fast`] returns where there is doubt: NaN where the first tier tells that the inputs are outside.
+#[cold]
+#[inline(never)]
+pub fn fast_again<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
+    let outside = first_tier::<P, N, K, M>(inputs).is_outside(admitted(P::FAST, inputs));
+    if outside { [f64::NAN; M] } else { refined::<P, N, K, M>(inputs) }
+}
+
+/// What `f64` with bounds of its errors computes.
+struct Found<T, const M: usize> {
+    results: [T; M],
+    /// Whether the conditions hold that the signs of the domain do not imply.
+    inside: bool,
+    /// Whether the inputs are as small and large as they may be; then those of known signs have them.
+    ordinary: bool,
+    /// Whether a condition, or a result, is not decided.
+    escalates: [bool; 2],
+}
+
+impl<T, const M: usize> Found<T, M> {
+    #[inline(always)]
+    fn is_certain(&self) -> bool {
+        self.ordinary & self.inside & !self.escalates[0] & !self.escalates[1]
+    }
+
+    #[inline(always)]
+    fn is_outside(&self, admitted: bool) -> bool {
+        !admitted | (self.ordinary & !self.escalates[0] & !self.inside)
     }
 }
 
-/// The results as `end` reads them, `outside` out of the domain, unless `escalate` is raised. Values are computed in any case: a
-/// branch would keep batch loops from vectorising.
+/// The results by the first tier of [`fast`].
+#[inline(always)]
+fn first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> Found<f64, M> {
+    if const { P::FAST.ordinary == 0 } {
+        bounded::<P, N, K, M, true, f64>(inputs, 0.0, |number| number.keeping(PROMISE))
+    } else {
+        bounded::<P, N, K, M, false, f64>(inputs, 0.0, |number| number.keeping(PROMISE))
+    }
+}
+
+/// The results as `end` reads them. There is no branch, which would keep batch loops from vectorising.
 #[inline(always)]
 fn bounded<P, const N: usize, const K: usize, const M: usize, const WATCHED: bool, T: Copy>(
     inputs: &[f64; N],
-    escalate: &Cell<u64>,
+    filling: T,
     end: impl for<'a> Fn(Bounded<'a, WATCHED>) -> T,
-    outside: T,
-) -> [T; M]
+) -> Found<T, M>
 where
     P: Program<N, K, M>,
 {
-    let fine = if WATCHED { all(inputs.map(f64::is_finite)) } else { ordinary(P::FAST.ordinary, inputs) };
-    let (of_domain, of_results) = (Cell::new(!fine), Cell::new(false));
-    let domain = P::domain(&numbers::<P, N, K, M, WATCHED>(inputs, &of_domain));
-    let results = P::evaluate(&numbers::<P, N, K, M, WATCHED>(inputs, &of_results)).map(end);
-    raise(escalate, domain, of_domain.get(), of_results.get());
-    where_inside(results, domain, outside)
+    let ordinary = if WATCHED {
+        all(each(inputs, true, f64::is_finite)) & admitted(P::FAST, inputs)
+    } else {
+        ordinary(P::FAST.ordinary, P::FAST.signs, inputs)
+    };
+    let (of_domain, of_results) = (Cell::new(false), Cell::new(false));
+    let inside = all(P::domain(&numbers::<P, N, K, M, WATCHED>(inputs, &of_domain)));
+    let results = P::evaluate(&numbers::<P, N, K, M, WATCHED>(inputs, &of_results));
+    let results = each(&results, filling, end);
+    Found { results, inside, ordinary, escalates: [of_domain.get(), of_results.get()] }
 }
 
-/// The inputs, with the signs that they have in the domain: outside of it no result is looked at, and the conditions that tell signs
-/// compare inputs with numbers, which takes no sign for granted.
+/// Whether the inputs have the signs that they have in the domain; if not, a condition that compares an input with a number does
+/// not hold, whatever else was computed.
+#[inline(always)]
+fn admitted<const N: usize>(fast: Fast<N>, inputs: &[f64; N]) -> bool {
+    inputs.iter().zip(fast.signs).fold(true, |all, (input, signs)| all & signs.admit(*input))
+}
+
+/// The inputs, with the signs that they have in the domain: where they have others the point is outside, whatever is computed.
 #[inline(always)]
 fn numbers<'a, P, const N: usize, const K: usize, const M: usize, const WATCHED: bool>(
     inputs: &[f64; N],
@@ -64,13 +110,15 @@ fn numbers<'a, P, const N: usize, const K: usize, const M: usize, const WATCHED:
 where
     P: Program<N, K, M>,
 {
-    core::array::from_fn(|input| Bounded::new(inputs[input], P::FAST.signs[input], escalate))
+    let mut numbers = [Bounded::new(0.0, Signs::ANY, escalate); N];
+    for ((number, input), signs) in numbers.iter_mut().zip(inputs).zip(P::FAST.signs) {
+        *number = Bounded::new(*input, signs, escalate);
+    }
+    numbers
 }
 
 /// What [`fast`] returns where its first tier escalates.
-#[cold]
-#[inline(never)]
-pub fn refined<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
+fn refined<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
     if const { keeps_promise(P::INFO) } {
         value::<P, N, K, M>(inputs)
     } else {
@@ -99,12 +147,13 @@ const fn relative(ulp: f64) -> f64 {
 pub fn with_bound<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
 ) -> ([f64; M], [f64; M]) {
-    let escalate = Cell::new(0);
     let end = |number: Bounded<'_, true>| (number.value(), number.bound());
-    let results = bounded::<P, N, K, M, true, (f64, f64)>(inputs, &escalate, end, (f64::NAN, f64::NAN));
-    let inside = results.iter().all(|(value, bound)| value.is_nan() & bound.is_nan() | bound.is_finite());
-    if escalate.get() == 0 && inside {
-        return (results.map(|result| result.0), results.map(|result| result.1));
+    let found = bounded::<P, N, K, M, true, (f64, f64)>(inputs, (0.0, 0.0), end);
+    if found.is_outside(admitted(P::FAST, inputs)) {
+        return ([f64::NAN; M], [f64::NAN; M]);
+    }
+    if found.is_certain() && found.results.iter().all(|(_, bound)| bound.is_finite()) {
+        return (found.results.map(|result| result.0), found.results.map(|result| result.1));
     }
     let values = refined::<P, N, K, M>(inputs);
     let mut results = P::INFO.results.iter();

@@ -85,8 +85,8 @@ pub use record::Record;
 /// What expansions of `#[kernel]` call; not for people.
 #[doc(hidden)]
 pub mod __private {
-    pub use crate::blocks::{BLOCK, Blocks, BlocksMut};
-    pub use crate::fast::{fast, first_tier_fast, refined, with_bound};
+    pub use crate::blocks::{BLOCK, Blocks, BlocksMut, raised};
+    pub use crate::fast::{fast, fast_again, fast_first_tier, with_bound};
     pub use crate::rows::rows;
     #[cfg(feature = "serde")]
     pub use crate::serde::{deserialize, serialize};

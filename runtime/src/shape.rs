@@ -7,7 +7,7 @@ use core::cell::Cell;
 use core::marker::PhantomData;
 
 use closedform_arith::tier::{self, Rounded, Steps};
-use closedform_arith::{Filtered, FilteredDoubleDouble, Precision, Real};
+use closedform_arith::{Filtered, FilteredDoubleDouble, Precision, Real, Signs};
 
 use crate::error::{DomainError, LengthError, RangeError, ValueError};
 use crate::info::{Info, ResultInfo};
@@ -39,13 +39,9 @@ pub fn first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: 
 
 /// The results where all conditions hold, else what stands for none.
 #[inline(always)]
-pub(crate) fn where_inside<T: Copy, const K: usize, const M: usize>(
-    results: [T; M],
-    domain: [bool; K],
-    none: T,
-) -> [T; M] {
+fn where_inside<T: Copy, const K: usize, const M: usize>(results: [T; M], domain: [bool; K], none: T) -> [T; M] {
     let inside = all(domain);
-    results.map(|result| if inside { result } else { none })
+    each(&results, none, |result| if inside { result } else { none })
 }
 
 /// Results and domain in the precision of the kernel, unless `escalate` is raised.
@@ -68,9 +64,11 @@ fn in_f64<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
     escalate: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
-    let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO.ordinary, inputs)), Cell::new(false));
-    let domain = P::domain(&inputs.map(|value| Filtered::<false>::new(value, &of_domain)));
-    let results = P::evaluate(&inputs.map(|value| Filtered::<false>::new(value, &of_results))).map(Filtered::value);
+    let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO.ordinary, [Signs::ANY; N], inputs)), Cell::new(false));
+    let number = |value, escalate| Filtered::<false>::new(value, escalate);
+    let domain = P::domain(&each(inputs, number(0.0, &of_domain), |value| number(value, &of_domain)));
+    let results = P::evaluate(&each(inputs, number(0.0, &of_results), |value| number(value, &of_results)));
+    let results = each(&results, 0.0, Filtered::value);
     raise(escalate, domain, of_domain.get(), of_results.get());
     (results, domain)
 }
@@ -81,10 +79,11 @@ fn in_double_double<P: Program<N, K, M>, const N: usize, const K: usize, const M
     inputs: &[f64; N],
     escalate: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
-    let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO.ordinary, inputs)), Cell::new(false));
-    let domain = P::domain(&inputs.map(|value| FilteredDoubleDouble::<false>::new(value, &of_domain)));
-    let results = P::evaluate(&inputs.map(|value| FilteredDoubleDouble::<false>::new(value, &of_results)))
-        .map(FilteredDoubleDouble::round);
+    let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO.ordinary, [Signs::ANY; N], inputs)), Cell::new(false));
+    let number = |value, escalate| FilteredDoubleDouble::<false>::new(value, escalate);
+    let domain = P::domain(&each(inputs, number(0.0, &of_domain), |value| number(value, &of_domain)));
+    let results = P::evaluate(&each(inputs, number(0.0, &of_results), |value| number(value, &of_results)));
+    let results = each(&results, 0.0, FilteredDoubleDouble::round);
     raise(escalate, domain, of_domain.get(), of_results.get());
     (results, domain)
 }
@@ -92,17 +91,36 @@ fn in_double_double<P: Program<N, K, M>, const N: usize, const K: usize, const M
 /// Raises `escalate` for that of the domain, and that of the results where they are asked for. An integer is what compilers
 /// see through when they vectorise.
 #[inline(always)]
-pub(crate) fn raise<const K: usize>(escalate: &Cell<u64>, domain: [bool; K], of_domain: bool, of_results: bool) {
+fn raise<const K: usize>(escalate: &Cell<u64>, domain: [bool; K], of_domain: bool, of_results: bool) {
     escalate.set(escalate.get() | u64::from(of_domain | (all(domain) & of_results)));
 }
 
-/// Whether every input is 0 or of a magnitude from 2^-`exponent` to 2^`exponent`.
+/// Whether every input has its sign, and is 0, if that may be, or of a magnitude from 2^-`exponent` to 2^`exponent`. It is the sum
+/// that is tested not to be larger.
 #[inline(always)]
-pub(crate) fn ordinary<const N: usize>(exponent: u32, inputs: &[f64; N]) -> bool {
+pub(crate) fn ordinary<const N: usize>(exponent: u32, signs: [Signs; N], inputs: &[f64; N]) -> bool {
     let exponent = u64::from(exponent);
     let (least, most) = (f64::from_bits((1023 - exponent) << 52), f64::from_bits((1023 + exponent) << 52));
-    let ordinary = |input: &f64| (*input == 0.0) | ((input.abs() >= least) & (input.abs() <= most));
-    inputs.iter().fold(true, |all, input| all & ordinary(input))
+    let (mut smallest, mut sum) = (most, 0.0);
+    for (input, signs) in inputs.iter().zip(signs) {
+        let size = signs.magnitude(*input);
+        // the number before it, and NaN before zero, which no comparison takes for smaller
+        let tested = if signs.zero { f64::from_bits(size.to_bits().wrapping_sub(1)) } else { size };
+        smallest = if tested < smallest { tested } else { smallest };
+        sum += size;
+    }
+    (sum <= most) & (smallest >= least)
+}
+
+/// What `f` makes of each item. The loop is unrolled always, whereas `map` of longer arrays is a call, which keeps what calls it from
+/// vectorising.
+#[inline(always)]
+pub(crate) fn each<T: Copy, U: Copy, const L: usize>(items: &[T; L], filling: U, f: impl Fn(T) -> U) -> [U; L] {
+    let mut made = [filling; L];
+    for (place, item) in made.iter_mut().zip(items) {
+        *place = f(*item);
+    }
+    made
 }
 
 #[inline(always)]

@@ -10,12 +10,13 @@ impl<const WATCHED: bool> Real for Bounded<'_, WATCHED> {
 
     #[inline(always)]
     fn literal(&self, value: f64) -> Self {
-        self.exactly(value, Signs::of(value))
+        let power_of_two = value.is_normal() & (value.to_bits() << 12 == 0);
+        Bounded { power_of_two, ..self.exactly(value, Signs::of(value)) }
     }
 
     #[inline(always)]
     fn pi(&self) -> Self {
-        Bounded { count: 1, ..self.exactly(core::f64::consts::PI, Signs::NOT_NEGATIVE) }
+        Bounded { count: 1, ..self.exactly(core::f64::consts::PI, Signs::POSITIVE) }
     }
 
     #[inline(always)]

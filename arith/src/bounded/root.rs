@@ -13,11 +13,11 @@ pub(super) fn positive_root<'a, const WATCHED: bool>(
     let root = root::root_of(coefficients, |coefficient| coefficient.value);
     let zero = context.exactly(0.0, Signs::of(0.0));
     coefficients.iter().for_each(|coefficient| coefficient.compare(&zero));
-    let at = |place| horner(coefficients, &context.exactly(place, Signs::NOT_NEGATIVE), zero);
+    let at = |place| horner(coefficients, &context.exactly(place, Signs::POSITIVE), zero);
     let (below, above) = (at(root * (1.0 - ROOT_SHARE)), at(root * (1.0 + ROOT_SHARE)));
     let encloses = (below < zero) & (above > zero);
     context.raise(!(encloses & root.is_normal()));
-    Bounded { count: ROOT, ..context.exactly(root, Signs::NOT_NEGATIVE) }
+    Bounded { count: ROOT, ..context.exactly(root, Signs::POSITIVE) }
 }
 
 fn horner<'a, const WATCHED: bool>(

@@ -1,6 +1,6 @@
 //! The steps of [`Bounded`]: values, and what becomes of their errors.
 
-use super::{Bounded, Signs};
+use super::{Bounded, Share, Signs};
 use crate::error_model::bounded::{MOST, UNDERFLOW};
 use crate::function::Function;
 
@@ -16,7 +16,9 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
         let value = self.value + other.value;
         let signs = self.signs.sum(other.signs);
         let sum = if self.signs.agree(other.signs) { self.growing(other) } else { self.cancelling(other) };
-        Bounded { value, signs, ..sum }.watched(value.is_finite())
+        let sum = Bounded { value, signs, power_of_two: false, share: Share::NONE, ..sum };
+        let sum = if sum.clean { sum } else { sum.with_absolute_error() };
+        sum.watched(value.is_finite())
     }
 
     /// The errors of a sum of terms of one sign.
@@ -24,7 +26,11 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
     fn growing(&self, other: &Self) -> Self {
         let count = self.count.max(other.count).saturating_add(1);
         let clean = self.clean & other.clean;
-        let error = if clean { 0.0 } else { self.error + other.error };
+        let error = match (self.clean, other.clean) {
+            (_, true) => self.error,
+            (true, _) => other.error,
+            _ => self.error + other.error,
+        };
         Bounded { count, error, clean, slack: self.slack.max(other.slack).saturating_add(1), ..*self }
     }
 
@@ -40,18 +46,28 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
             (_, true) => a,
             _ => a + b,
         };
+        // at ordinary magnitudes no step is so small that its share of an error underflows
+        let error = if WATCHED { error + UNDERFLOW } else { error };
         let slack = self.slack.max(other.slack).saturating_add(4);
-        Bounded { count: 1, error: error + UNDERFLOW, clean: false, slack, ..*self }
+        Bounded { count: 1, error, clean: false, slack, ..*self }
     }
 
     #[inline(always)]
     pub(super) fn product(&self, other: &Self) -> Self {
         let value = self.value * other.value;
         let (error, slack) = self.error_of_product(other);
-        let count = self.count.saturating_add(other.count).saturating_add(1);
-        let (clean, signs) = (self.clean & other.clean, self.signs.product(other.signs));
-        let fine = value.is_normal() | (self.value == 0.0) | (other.value == 0.0);
-        Bounded { value, count, error, slack, clean, signs, ..*self }.watched(fine)
+        let exact = self.power_of_two | other.power_of_two;
+        let count = self.count.saturating_add(other.count).saturating_add(u32::from(!exact));
+        let share = match (self.clean, other.clean) {
+            (_, true) => self.share.carried(other.count.saturating_add(1)),
+            (true, _) => other.share.carried(self.count.saturating_add(1)),
+            _ => Share::NONE,
+        };
+        let clean = self.clean & other.clean;
+        let signs = self.signs.product(other.signs);
+        let product = Bounded { value, count, error, slack, share, clean, signs, power_of_two: false, ..*self };
+        let product = if self.clean | other.clean { product } else { product.with_absolute_error() };
+        product.watched(value.is_normal() | (self.value == 0.0) | (other.value == 0.0))
     }
 
     #[inline(always)]
@@ -71,20 +87,26 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
     /// What this error makes of a product with `factor`.
     #[inline(always)]
     fn error_times(&self, factor: &Self) -> (f64, u32) {
-        (self.error * factor.value.abs() + UNDERFLOW, self.slack.saturating_add(factor.count).saturating_add(2))
+        let error = self.error * factor.signs.magnitude(factor.value);
+        if factor.power_of_two & (factor.value.abs() >= 1.0) {
+            return (error, self.slack);
+        }
+        (error + UNDERFLOW, self.slack.saturating_add(factor.count).saturating_add(2))
     }
 
     #[inline(always)]
     pub(super) fn quotient(&self, other: &Self) -> Self {
         let divisor = other.collapsed();
-        let dividend = if WATCHED { *self } else { self.collapsed() };
         let value = self.value / other.value;
-        let count = dividend.count.saturating_add(divisor.count).saturating_add(2);
-        let error = if dividend.clean { 0.0 } else { dividend.error / divisor.value.abs() + UNDERFLOW };
-        let slack = if dividend.clean { 0 } else { dividend.slack.saturating_add(divisor.count).saturating_add(3) };
-        self.raise(other.value == 0.0);
+        let count = self.count.saturating_add(divisor.count).saturating_add(2);
+        let size = divisor.signs.magnitude(divisor.value);
+        let error = if self.clean { 0.0 } else { self.error / size + UNDERFLOW };
+        let slack = if self.clean { 0 } else { self.slack.saturating_add(divisor.count).saturating_add(3) };
+        let share = self.share.carried(divisor.count.saturating_add(2));
+        self.raise(other.signs.zero & (other.value == 0.0));
         let signs = self.signs.product(other.signs);
-        Bounded { value, count, error, slack, signs, ..dividend }.watched(value.is_normal() | (self.value == 0.0))
+        let quotient = Bounded { value, count, error, slack, share, signs, power_of_two: false, ..*self };
+        quotient.watched(value.is_normal() | (self.value == 0.0))
     }
 
     /// A function: a power of the magnitude of its argument.
@@ -94,12 +116,10 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
             return self.spread(function);
         }
         let argument = if function.is_exact() { *self } else { self.collapsed() };
-        self.raise(!function.is_defined(self.value));
+        self.raise(self.signs.negative & !function.is_defined(self.value));
         let (value, signs) = (function.double(self.value), self.signs.through(function));
-        if function.is_exact() {
-            return Bounded { value, signs, ..argument };
-        }
-        Bounded { value, signs, count: count_after(function, argument.count), ..argument }
+        let count = if function.is_exact() { argument.count } else { count_after(function, argument.count) };
+        Bounded { value, signs, count, power_of_two: false, ..argument }
     }
 
     /// A function that is no power: its own error is relative, and what it makes of the argument's is absolute.
@@ -112,7 +132,7 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
             return exact;
         }
         let error = function.spread(self.value, value, self.bound()) + UNDERFLOW;
-        Bounded { error, clean: false, slack: 8, ..exact }
+        Bounded { error, slack: 8, ..exact }.with_absolute_error()
     }
 }
 
@@ -146,8 +166,8 @@ impl Signs {
         let may_be = |sign| {
             (self.negative & of(Less).contains(&sign))
                 | (self.positive & of(Greater).contains(&sign))
-                | of(Equal).contains(&sign)
+                | (self.zero & of(Equal).contains(&sign))
         };
-        Signs { negative: may_be(Less), positive: may_be(Greater) }
+        Signs { negative: may_be(Less), positive: may_be(Greater), zero: may_be(Equal) }
     }
 }

@@ -156,6 +156,11 @@ impl Bounds {
         (self.low >= NORMAL).then_some(self)?.finite()
     }
 
+    /// The number, unless it may overflow, or underflow to one of which a unit of relative error is not normal.
+    pub(super) fn with_its_error(self) -> Option<Self> {
+        (self.low > NORMAL + FRACTION).then_some(self)?.finite()
+    }
+
     /// The leading part of a number in double-double, tested to be 0 or of a magnitude in range. What it is a
     /// multiple of depends on its low part too.
     pub(super) fn tested(self) -> Self {

@@ -36,11 +36,12 @@ impl Signs {
 
     /// The signs that an input may have.
     pub(super) fn of_input(&self, name: &Ident) -> InputSigns {
-        match self.known.get(&name.to_string()).map(|known| known.sign) {
-            Some(Sign::Positive) => InputSigns::NOT_NEGATIVE,
-            Some(Sign::Negative) => InputSigns::NOT_POSITIVE,
-            Some(Sign::Open) | None => InputSigns::ANY,
-        }
+        let of = |known: &Known| match known.sign {
+            Sign::Positive => InputSigns { zero: known.zero, ..InputSigns::POSITIVE },
+            Sign::Negative => InputSigns { zero: known.zero, ..InputSigns::NEGATIVE },
+            Sign::Open => InputSigns::ANY,
+        };
+        self.known.get(&name.to_string()).map_or(InputSigns::ANY, of)
     }
 
     /// The bounds of an expression, with its sign if that is known.
