@@ -255,7 +255,7 @@ mod tests {
         for (file, expected) in [
             ("maxima/own.mac", vec![format!("own.ref: {derive}"), format!("own.tsv: {derive}")]),
             ("maxima/own.ref", vec!["own.rs: closedform generate".to_owned(), format!("own.ref: {derive}")]),
-            ("maxima/own.tsv", vec![format!("own.tsv: {derive}")]),
+            ("maxima/own.tsv", vec!["own.rs: closedform generate".to_owned(), format!("own.tsv: {derive}")]),
             ("maxima/plain.mac", vec!["plain.rs: closedform generate".to_owned()]),
             ("generated/plain.rs", vec!["plain.rs: closedform generate".to_owned()]),
             ("generated/mod.rs", vec!["mod.rs: closedform generate".to_owned()]),
