@@ -260,7 +260,7 @@ fn signs_that_a_program_tells_decide_comparisons_with_zero() {
     let number = |value, signs| Bounded::<false>::with_error(value, 1, 1.0, signs, &escalate);
     let zero = number(0.0, Signs::ANY).literal(0.0);
     let (above, below) = (number(1.0, Signs::POSITIVE), number(-1.0, Signs::NOT_POSITIVE));
-    assert!(above > zero && zero < above && above >= zero && below <= zero && zero >= below);
+    assert_eq!([above > zero, zero < above, above >= zero, below <= zero, zero >= below], [true; 5]);
     assert!(!escalate.replace(false));
     let _ = (below < zero, zero > below);
     assert!(escalate.replace(false), "it may be zero");

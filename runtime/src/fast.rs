@@ -7,11 +7,11 @@ use core::cell::Cell;
 
 use closedform_arith::error_model::bounded::PROMISE;
 use closedform_arith::error_model::{CERTIFIED_ULP, UNIT};
-use closedform_arith::{Bounded, Precision, Signs, tier};
+use closedform_arith::{Bounded, Precision, tier};
 
 use crate::info::{Info, ResultInfo};
 use crate::program::{Fast, Program};
-use crate::shape::{all, answered, each, ordinary, value, values};
+use crate::shape::{all, answered, ordinary, value, values};
 
 /// The results with a relative error of at most [`PROMISE`]; NaN outside the domain.
 #[inline(always)]
@@ -66,9 +66,9 @@ impl<T, const M: usize> Found<T, M> {
 #[inline(always)]
 fn first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> Found<f64, M> {
     if const { P::FAST.ordinary == 0 } {
-        bounded::<P, N, K, M, true, f64>(inputs, 0.0, |number| number.keeping(PROMISE))
+        bounded::<P, N, K, M, true, f64>(inputs, |number| number.keeping(PROMISE))
     } else {
-        bounded::<P, N, K, M, false, f64>(inputs, 0.0, |number| number.keeping(PROMISE))
+        bounded::<P, N, K, M, false, f64>(inputs, |number| number.keeping(PROMISE))
     }
 }
 
@@ -76,21 +76,19 @@ fn first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: usiz
 #[inline(always)]
 fn bounded<P, const N: usize, const K: usize, const M: usize, const WATCHED: bool, T: Copy>(
     inputs: &[f64; N],
-    filling: T,
     end: impl for<'a> Fn(Bounded<'a, WATCHED>) -> T,
 ) -> Found<T, M>
 where
     P: Program<N, K, M>,
 {
     let ordinary = if WATCHED {
-        all(each(inputs, true, f64::is_finite)) & admitted(P::FAST, inputs)
+        all(inputs.map(f64::is_finite)) & admitted(P::FAST, inputs)
     } else {
         ordinary(P::FAST.ordinary, P::FAST.signs, inputs)
     };
     let (of_domain, of_results) = (Cell::new(false), Cell::new(false));
     let inside = all(P::domain(&numbers::<P, N, K, M, WATCHED>(inputs, &of_domain)));
-    let results = P::evaluate(&numbers::<P, N, K, M, WATCHED>(inputs, &of_results));
-    let results = each(&results, filling, end);
+    let results = P::evaluate(&numbers::<P, N, K, M, WATCHED>(inputs, &of_results)).map(end);
     Found { results, inside, ordinary, escalates: [of_domain.get(), of_results.get()] }
 }
 
@@ -98,7 +96,7 @@ where
 /// not hold, whatever else was computed.
 #[inline(always)]
 fn admitted<const N: usize>(fast: Fast<N>, inputs: &[f64; N]) -> bool {
-    inputs.iter().zip(fast.signs).fold(true, |all, (input, signs)| all & signs.admit(*input))
+    all(core::array::from_fn::<_, N, _>(|input| fast.signs[input].admit(inputs[input])))
 }
 
 /// The inputs, with the signs that they have in the domain: where they have others the point is outside, whatever is computed.
@@ -110,11 +108,7 @@ fn numbers<'a, P, const N: usize, const K: usize, const M: usize, const WATCHED:
 where
     P: Program<N, K, M>,
 {
-    let mut numbers = [Bounded::new(0.0, Signs::ANY, escalate); N];
-    for ((number, input), signs) in numbers.iter_mut().zip(inputs).zip(P::FAST.signs) {
-        *number = Bounded::new(*input, signs, escalate);
-    }
-    numbers
+    core::array::from_fn(|input| Bounded::new(inputs[input], P::FAST.signs[input], escalate))
 }
 
 /// What [`fast`] returns where its first tier escalates.
@@ -148,7 +142,7 @@ pub fn with_bound<P: Program<N, K, M>, const N: usize, const K: usize, const M: 
     inputs: &[f64; N],
 ) -> ([f64; M], [f64; M]) {
     let end = |number: Bounded<'_, true>| (number.value(), number.bound());
-    let found = bounded::<P, N, K, M, true, (f64, f64)>(inputs, (0.0, 0.0), end);
+    let found = bounded::<P, N, K, M, true, (f64, f64)>(inputs, end);
     if found.is_outside(admitted(P::FAST, inputs)) {
         return ([f64::NAN; M], [f64::NAN; M]);
     }

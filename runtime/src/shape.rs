@@ -41,7 +41,7 @@ pub fn first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: 
 #[inline(always)]
 fn where_inside<T: Copy, const K: usize, const M: usize>(results: [T; M], domain: [bool; K], none: T) -> [T; M] {
     let inside = all(domain);
-    each(&results, none, |result| if inside { result } else { none })
+    results.map(|result| if inside { result } else { none })
 }
 
 /// Results and domain in the precision of the kernel, unless `escalate` is raised.
@@ -65,10 +65,8 @@ fn in_f64<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     escalate: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
     let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO.ordinary, [Signs::ANY; N], inputs)), Cell::new(false));
-    let number = |value, escalate| Filtered::<false>::new(value, escalate);
-    let domain = P::domain(&each(inputs, number(0.0, &of_domain), |value| number(value, &of_domain)));
-    let results = P::evaluate(&each(inputs, number(0.0, &of_results), |value| number(value, &of_results)));
-    let results = each(&results, 0.0, Filtered::value);
+    let domain = P::domain(&inputs.map(|value| Filtered::<false>::new(value, &of_domain)));
+    let results = P::evaluate(&inputs.map(|value| Filtered::<false>::new(value, &of_results))).map(Filtered::value);
     raise(escalate, domain, of_domain.get(), of_results.get());
     (results, domain)
 }
@@ -80,10 +78,9 @@ fn in_double_double<P: Program<N, K, M>, const N: usize, const K: usize, const M
     escalate: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
     let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO.ordinary, [Signs::ANY; N], inputs)), Cell::new(false));
-    let number = |value, escalate| FilteredDoubleDouble::<false>::new(value, escalate);
-    let domain = P::domain(&each(inputs, number(0.0, &of_domain), |value| number(value, &of_domain)));
-    let results = P::evaluate(&each(inputs, number(0.0, &of_results), |value| number(value, &of_results)));
-    let results = each(&results, 0.0, FilteredDoubleDouble::round);
+    let domain = P::domain(&inputs.map(|value| FilteredDoubleDouble::<false>::new(value, &of_domain)));
+    let results = P::evaluate(&inputs.map(|value| FilteredDoubleDouble::<false>::new(value, &of_results)))
+        .map(FilteredDoubleDouble::round);
     raise(escalate, domain, of_domain.get(), of_results.get());
     (results, domain)
 }
@@ -110,17 +107,6 @@ pub(crate) fn ordinary<const N: usize>(exponent: u32, signs: [Signs; N], inputs:
         sum += size;
     }
     (sum <= most) & (smallest >= least)
-}
-
-/// What `f` makes of each item. The loop is unrolled always, whereas `map` of longer arrays is a call, which keeps what calls it from
-/// vectorising.
-#[inline(always)]
-pub(crate) fn each<T: Copy, U: Copy, const L: usize>(items: &[T; L], filling: U, f: impl Fn(T) -> U) -> [U; L] {
-    let mut made = [filling; L];
-    for (place, item) in made.iter_mut().zip(items) {
-        *place = f(*item);
-    }
-    made
 }
 
 #[inline(always)]
