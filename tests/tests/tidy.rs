@@ -75,3 +75,16 @@ fn the_table_names_every_family() {
             .collect(),
     );
 }
+
+/// The rest of a recipe of a makefile, up to the next blank line.
+fn recipe(makefile: &str, target: &str) -> String {
+    let text = fs::read_to_string(workspace::root().join(makefile)).expect("the makefile can be read");
+    let mut lines = text.lines().skip_while(|line| !line.starts_with(target));
+    assert!(lines.next().is_some(), "{makefile} has no {target}");
+    lines.take_while(|line| !line.is_empty()).map(|line| format!("{line}\n")).collect()
+}
+
+#[test]
+fn the_tools_of_an_example_are_installed_as_those_of_the_project() {
+    assert_eq!(recipe("codegen/command/example/Makefile", "tools:"), recipe("Makefile", "tools:"));
+}

@@ -168,8 +168,13 @@ impl Chain {
         })
     }
 
+    /// The names of its kernels, in order.
+    pub fn kernels(&self) -> Vec<&'static str> {
+        self.judges().map(|judge| judge.kernel.info.name).collect()
+    }
+
     fn name(&self) -> String {
-        self.judges().map(|judge| judge.kernel.info.name).collect::<Vec<_>>().join(", then ")
+        self.kernels().join(", then ")
     }
 
     fn told(&self, inputs: &[f64], run: Option<&Run>, origin: &str, what: &str) -> String {

@@ -6,21 +6,31 @@ use closedform_tests::kernels::judge_of;
 use closedform_tests::laws::chain::Chain;
 use closedform_tests::laws::motion::Motion;
 
-use crate::{demand, demand_inverse, demand_motion, kernel};
+use crate::{Laws, kernel};
 
-#[test]
-fn the_ramp_closes_its_segment() {
-    demand("fly_axis::a1_in", &["a1In"], &["-v1Diff = (0+a1In)*tIn/2", "a1In <= 0", "v1Diff = 0 or a1In < 0"]);
-    demand(
+laws![
+    the_ramp_closes_its_segment,
+    the_turn_closes_its_segment,
+    the_ramp_that_a_turn_needs_brings_it_to_rest,
+    ramp_and_turn_undo_each_other,
+    the_overhead_is_the_time_beyond_the_line,
+    the_overhead_by_the_turn_alone_brings_it_to_rest,
+    the_turn_closes,
+    the_turn_closes_with_the_ramp_that_it_needs,
+    the_time_added_is_that_of_the_line,
+];
+
+fn the_ramp_closes_its_segment(laws: &mut Laws) {
+    laws.demand("fly_axis::a1_in", &["a1In"], &["-v1Diff = (0+a1In)*tIn/2", "a1In <= 0", "v1Diff = 0 or a1In < 0"]);
+    laws.demand(
         "fly_axis::d1_in",
         &["d1In"],
         &["d1In = v1Scan*tIn+(2*0-2*v1Diff/tIn)*tIn^2/6", "6*d1In = (4*v1Scan+2*(v1Scan-v1Diff))*tIn", "d1In > 0"],
     );
 }
 
-#[test]
-fn the_turn_closes_its_segment() {
-    demand(
+fn the_turn_closes_its_segment(laws: &mut Laws) {
+    laws.demand(
         "fly_axis::turn_out",
         &["tOut", "d1Out"],
         &[
@@ -33,9 +43,8 @@ fn the_turn_closes_its_segment() {
     );
 }
 
-#[test]
-fn the_ramp_that_a_turn_needs_brings_it_to_rest() {
-    demand(
+fn the_ramp_that_a_turn_needs_brings_it_to_rest(laws: &mut Laws) {
+    laws.demand(
         "fly_axis::t_in_of_t_out",
         &["tIn"],
         &[
@@ -45,37 +54,34 @@ fn the_ramp_that_a_turn_needs_brings_it_to_rest() {
             "a1Max*tIn >= 2*v1Diff",
         ],
     );
-    demand(
+    laws.demand(
         "fly_axis::v1_diff",
         &["v1Diff"],
         &["0 = v1Scan-v1Diff+(-2*v1Diff/tIn-a1Max)*tOut/2", "v1Diff >= 0", "2*v1Diff <= a1Max*tIn"],
     );
 }
 
-#[test]
-fn ramp_and_turn_undo_each_other() {
-    demand_inverse(("fly_axis::turn_out", "tOut"), ("fly_axis::t_in_of_t_out", "tIn"), &[]);
-    demand_inverse(("fly_axis::turn_out", "tOut"), ("fly_axis::v1_diff", "v1Diff"), &[]);
-    demand_inverse(("fly_axis::t_in_of_t_out", "tIn"), ("fly_axis::turn_out", "tOut"), &[]);
-    demand_inverse(("fly_axis::t_in_of_t_out", "tIn"), ("fly_axis::v1_diff", "v1Diff"), &[]);
-    demand_inverse(("fly_axis::v1_diff", "v1Diff"), ("fly_axis::turn_out", "tOut"), &[]);
-    demand_inverse(("fly_axis::v1_diff", "v1Diff"), ("fly_axis::t_in_of_t_out", "tIn"), &[]);
+fn ramp_and_turn_undo_each_other(laws: &mut Laws) {
+    laws.demand_inverse(("fly_axis::turn_out", "tOut"), ("fly_axis::t_in_of_t_out", "tIn"), &[]);
+    laws.demand_inverse(("fly_axis::turn_out", "tOut"), ("fly_axis::v1_diff", "v1Diff"), &[]);
+    laws.demand_inverse(("fly_axis::t_in_of_t_out", "tIn"), ("fly_axis::turn_out", "tOut"), &[]);
+    laws.demand_inverse(("fly_axis::t_in_of_t_out", "tIn"), ("fly_axis::v1_diff", "v1Diff"), &[]);
+    laws.demand_inverse(("fly_axis::v1_diff", "v1Diff"), ("fly_axis::turn_out", "tOut"), &[]);
+    laws.demand_inverse(("fly_axis::v1_diff", "v1Diff"), ("fly_axis::t_in_of_t_out", "tIn"), &[]);
 }
 
-#[test]
-fn the_overhead_is_the_time_beyond_the_line() {
-    demand("fly_axis::t_add", &["tAdd"], &["v1Scan*(tIn-tAdd) = v1Scan*tIn+(2*0-2*v1Diff/tIn)*tIn^2/6", "tAdd >= 0"]);
-    demand(
+fn the_overhead_is_the_time_beyond_the_line(laws: &mut Laws) {
+    laws.demand("fly_axis::t_add", &["tAdd"], &["v1Scan*(tIn-tAdd) = v1Scan*tIn+(2*0-2*v1Diff/tIn)*tIn^2/6", "tAdd >= 0"]);
+    laws.demand(
         "fly_axis::overhead",
         &["tOvrHd"],
         &["v1Scan*(tIn+tOut+tEdge/2-tOvrHd) = v1Scan*tIn+(2*0-2*v1Diff/tIn)*tIn^2/6", "tOvrHd >= 0"],
     );
 }
 
-#[test]
-fn the_overhead_by_the_turn_alone_brings_it_to_rest() {
+fn the_overhead_by_the_turn_alone_brings_it_to_rest(laws: &mut Laws) {
     // With tIn = 3*v1Scan*(tOvrHd-tOut)/v1Diff, that of t_add, the turn ends at rest; so does its derivative by v1Diff.
-    demand(
+    laws.demand(
         "fly_axis::overhead_of_t_out",
         &["tOvrHd", "slope"],
         &[
@@ -104,30 +110,27 @@ pub fn turn() -> Motion {
         .jerk("tIn", "2*v1Diff/tIn^2", ["0", "-v1Scan", "0"])
 }
 
-#[test]
-fn the_turn_closes() {
+fn the_turn_closes(laws: &mut Laws) {
     let segments = kernel("fly_axis::turn_out", &["tOut", "d1Out"])
         .then(&judge_of("fly_axis::d1_in"), &["d1In"])
         .then(&judge_of("fly_axis::a1_in"), &["a1In"]);
-    demand_motion(&segments, &turn());
+    laws.demand_motion(&segments, &turn());
 }
 
-#[test]
-fn the_turn_closes_with_the_ramp_that_it_needs() {
+fn the_turn_closes_with_the_ramp_that_it_needs(laws: &mut Laws) {
     // Here tOut is given, and what d1In and a1In say follows from the ramp.
     for (name, result) in [("fly_axis::t_in_of_t_out", "tIn"), ("fly_axis::v1_diff", "v1Diff")] {
         let chain = kernel(name, &[result])
             .then(&judge_of("fly_axis::d1_in"), &["d1In"])
             .then(&judge_of("fly_axis::a1_in"), &["a1In"])
             .define("d1Out", "(v1Scan-v1Diff)*tOut+(2*a1In-a1Max)*tOut^2/6");
-        demand_motion(&chain, &turn());
+        laws.demand_motion(&chain, &turn());
     }
 }
 
-#[test]
-fn the_time_added_is_that_of_the_line() {
+fn the_time_added_is_that_of_the_line(laws: &mut Laws) {
     // The distance of the ramp, at v1Scan all the time.
     let chain = kernel("fly_axis::t_add", &["tAdd"]).then(&judge_of("fly_axis::d1_in"), &["d1In"]);
     let line = Motion::from(["0", "v1Scan", "0"]).jerk("tIn-tAdd", "0", ["d1In", "v1Scan", "0"]);
-    demand_motion(&chain, &line);
+    laws.demand_motion(&chain, &line);
 }

@@ -1,15 +1,22 @@
 //! Laws of the turn-around in which both axes take the same time.
 
 use closedform_tests::kernels::judge_of;
-
 use closedform_tests::laws::motion::Motion;
 
 use crate::turnaround::turn as step_turn;
-use crate::{demand, demand_motions, fly_axis, kernel};
+use crate::{Laws, fly_axis, kernel};
 
-#[test]
-fn the_optimum_solves_both_axes() {
-    demand(
+laws![
+    the_optimum_solves_both_axes,
+    the_optimum_of_the_seed_is_found,
+    the_optimum_in_variables_of_the_worksheet_solves_both_axes,
+    the_quartic_is_solved,
+    both_axes_close_at_the_optimum,
+    both_axes_close_at_the_optimum_in_variables_of_the_worksheet,
+];
+
+fn the_optimum_solves_both_axes(laws: &mut Laws) {
+    laws.demand(
         "optimum::t_i",
         &["t_i"],
         &[
@@ -18,19 +25,20 @@ fn the_optimum_solves_both_axes() {
             "t_i > 0",
         ],
     );
-    demand("optimum::t_o", &["t_o"], &["t_o*(a*t_i+Delta) = t_i*(v+Delta)", "t_o > 0"]);
+    laws.demand("optimum::t_o", &["t_o"], &["t_o*(a*t_i+Delta) = t_i*(v+Delta)", "t_o > 0"]);
 }
 
-#[test]
-fn the_optimum_of_the_seed_is_found() {
-    // The printed derivation prints these digits, and not the next ones.
-    let t_i = judge_of("optimum::t_i").actual(&[500.0, 0.5, 0.001, 0.001])[0];
-    assert!(format!("{t_i:.20}").starts_with("0.0517755356486726"), "{t_i}");
+fn the_optimum_of_the_seed_is_found(laws: &mut Laws) {
+    laws.ask(&["optimum::t_i"], || {
+        // The printed derivation prints these digits, and not the next ones.
+        let t_i = judge_of("optimum::t_i").actual(&[500.0, 0.5, 0.001, 0.001])[0];
+        assert!(format!("{t_i:.20}").starts_with("0.0517755356486726"), "{t_i}");
+        Ok(())
+    });
 }
 
-#[test]
-fn the_optimum_in_variables_of_the_worksheet_solves_both_axes() {
-    demand(
+fn the_optimum_in_variables_of_the_worksheet_solves_both_axes(laws: &mut Laws) {
+    laws.demand(
         "optimum::t_in",
         &["tIn"],
         &[
@@ -46,10 +54,9 @@ fn the_optimum_in_variables_of_the_worksheet_solves_both_axes() {
     );
 }
 
-#[test]
-fn the_quartic_is_solved() {
+fn the_quartic_is_solved(laws: &mut Laws) {
     // Below the root the quartic is negative, above it is positive.
-    demand(
+    laws.demand(
         "optimum::quartic",
         &["x"],
         &[
@@ -60,8 +67,7 @@ fn the_quartic_is_solved() {
     );
 }
 
-#[test]
-fn both_axes_close_at_the_optimum() {
+fn both_axes_close_at_the_optimum(laws: &mut Laws) {
     // v1Scan = v+3/2*Delta, v1Diff = Delta/2; the ramps out take 2*t_o.
     let chain = kernel("optimum::t_i", &["t_i"]).then(&judge_of("optimum::t_o"), &["t_o"]).define("tIn", "t_i");
     let scan = Motion::from(["0", "v+3/2*Delta", "0"])
@@ -69,11 +75,10 @@ fn both_axes_close_at_the_optimum() {
         .ramp("2*t_o", ["(v+4/3*Delta)*tIn+2*((v+Delta)*t_o+a*t_o^2)/3", "0", "-a"])
         .ramp("2*t_o", ["(v+4/3*Delta)*tIn", "-v-Delta", "-Delta/tIn"])
         .jerk("tIn", "Delta/tIn^2", ["0", "-v-3/2*Delta", "0"]);
-    demand_motions(&chain, &scan, &step_turn("1", "2*t_o", "0", "delta"));
+    laws.demand_motions(&chain, &scan, &step_turn("1", "2*t_o", "0", "delta"));
 }
 
-#[test]
-fn both_axes_close_at_the_optimum_in_variables_of_the_worksheet() {
+fn both_axes_close_at_the_optimum_in_variables_of_the_worksheet(laws: &mut Laws) {
     let chain = fly_axis::with_segments(kernel("optimum::t_in", &["tIn"]));
-    demand_motions(&chain, &fly_axis::turn(), &step_turn("1", "tOut", "0", "delta"));
+    laws.demand_motions(&chain, &fly_axis::turn(), &step_turn("1", "tOut", "0", "delta"));
 }

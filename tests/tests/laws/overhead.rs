@@ -6,12 +6,22 @@
 use closedform_tests::laws::motion::Motion;
 
 use crate::turnaround::turn as step_turn;
-use crate::{demand, demand_inverse, demand_motion, demand_motions, fly_axis, kernel};
+use crate::{Laws, fly_axis, kernel};
 
-#[test]
-fn the_step_axis_closes_on_its_step() {
+laws![
+    the_step_axis_closes_on_its_step,
+    the_rest_at_the_edge_closes_both_axes,
+    without_rest_the_ramp_and_its_loss_undo_each_other,
+    the_scan_axis_comes_to_rest,
+    the_gradient_is_that_of_the_distance_of_the_turn,
+    the_turn_of_the_step_axis_closes,
+    the_turn_of_the_scan_axis_closes,
+    both_turns_close_in_one_time,
+];
+
+fn the_step_axis_closes_on_its_step(laws: &mut Laws) {
     // By 2*tau = tOvrHd-tAdd; its derivative by tIn differentiates the condition as it stands.
-    demand(
+    laws.demand(
         "overhead::step_limited",
         &["tOvrHd", "slope"],
         &[
@@ -24,9 +34,8 @@ fn the_step_axis_closes_on_its_step() {
     );
 }
 
-#[test]
-fn the_rest_at_the_edge_closes_both_axes() {
-    demand(
+fn the_rest_at_the_edge_closes_both_axes(laws: &mut Laws) {
+    laws.demand(
         "overhead::t_edge",
         &["tEdge"],
         &[
@@ -35,7 +44,7 @@ fn the_rest_at_the_edge_closes_both_axes() {
             "tEdge >= 0",
         ],
     );
-    demand(
+    laws.demand(
         "overhead::v1_diff",
         &["v1Diff"],
         &[
@@ -48,16 +57,14 @@ fn the_rest_at_the_edge_closes_both_axes() {
     );
 }
 
-#[test]
-fn without_rest_the_ramp_and_its_loss_undo_each_other() {
-    demand_inverse(("overhead::v1_diff", "v1Diff"), ("optimum::t_in", "tIn"), &[]);
-    demand_inverse(("optimum::t_in", "tIn"), ("overhead::v1_diff", "v1Diff"), &[]);
+fn without_rest_the_ramp_and_its_loss_undo_each_other(laws: &mut Laws) {
+    laws.demand_inverse(("overhead::v1_diff", "v1Diff"), ("optimum::t_in", "tIn"), &[]);
+    laws.demand_inverse(("optimum::t_in", "tIn"), ("overhead::v1_diff", "v1Diff"), &[]);
 }
 
-#[test]
-fn the_scan_axis_comes_to_rest() {
+fn the_scan_axis_comes_to_rest(laws: &mut Laws) {
     // By tOut = tOvrHd-tAdd; its derivative by tIn differentiates the condition times tIn.
-    demand(
+    laws.demand(
         "overhead::scan_limited",
         &["tOvrHd", "slope"],
         &[
@@ -69,11 +76,10 @@ fn the_scan_axis_comes_to_rest() {
     );
 }
 
-#[test]
-fn the_gradient_is_that_of_the_distance_of_the_turn() {
+fn the_gradient_is_that_of_the_distance_of_the_turn(laws: &mut Laws) {
     // 6*d1Out = 2*(v1Scan-v1Diff)*tOut+a1Max*tOut^2, the end of the turn at -a1Max, differentiated with tOut, and
     // (2*v1Diff+a1Max*tIn)*tOut = 2*tIn*(v1Scan-v1Diff), the rest at its end, for the derivatives of tOut.
-    demand(
+    laws.demand(
         "overhead::d1_out_gradient",
         &["byDiff", "byIn"],
         &[
@@ -88,27 +94,24 @@ fn the_gradient_is_that_of_the_distance_of_the_turn() {
     );
 }
 
-#[test]
-fn the_turn_of_the_step_axis_closes() {
+fn the_turn_of_the_step_axis_closes(laws: &mut Laws) {
     // With its largest acceleration 1 the step is delta; each ramp out takes 2*tau = tOvrHd-tAdd.
     let chain = kernel("overhead::step_limited", &["tOvrHd"]).define("twoTau", "tOvrHd-tIn*v1Diff/(3*v1Scan)");
-    demand_motion(&chain, &step_turn("1", "twoTau", "0", "delta"));
+    laws.demand_motion(&chain, &step_turn("1", "twoTau", "0", "delta"));
 }
 
-#[test]
-fn the_turn_of_the_scan_axis_closes() {
+fn the_turn_of_the_scan_axis_closes(laws: &mut Laws) {
     let chain = kernel("overhead::scan_limited", &["tOvrHd"]).define("tOut", "tOvrHd-tIn*v1Diff/(3*v1Scan)");
     let motion = Motion::from(["0", "v1Scan", "0"])
         .jerk("tIn", "-2*v1Diff/tIn^2", ["(3*v1Scan-v1Diff)*tIn/3", "v1Scan-v1Diff", "-2*v1Diff/tIn"])
         .ramp("tOut", ["(3*v1Scan-v1Diff)*tIn/3+(2*(v1Scan-v1Diff)+a1Max*tOut)*tOut/6", "0", "-a1Max"]);
-    demand_motion(&chain, &motion);
+    laws.demand_motion(&chain, &motion);
 }
 
-#[test]
-fn both_turns_close_in_one_time() {
+fn both_turns_close_in_one_time(laws: &mut Laws) {
     // The step axis ramps out while the fly axis turns and rests: tOut+tEdge/2 to either side of the edge.
     let rest = fly_axis::with_segments(kernel("overhead::t_edge", &["tEdge"]));
-    demand_motions(&rest, &fly_axis::turn(), &step_turn("1", "(tOut+tEdge/2)", "0", "delta"));
+    laws.demand_motions(&rest, &fly_axis::turn(), &step_turn("1", "(tOut+tEdge/2)", "0", "delta"));
     let none = fly_axis::with_segments(kernel("overhead::v1_diff", &["v1Diff"]));
-    demand_motions(&none, &fly_axis::turn(), &step_turn("1", "tOut", "0", "delta"));
+    laws.demand_motions(&none, &fly_axis::turn(), &step_turn("1", "tOut", "0", "delta"));
 }

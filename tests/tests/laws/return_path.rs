@@ -2,14 +2,20 @@
 
 use closedform_tests::laws::motion::Motion;
 
-use crate::{demand, demand_motion, kernel};
+use crate::{Laws, kernel};
+
+laws![
+    the_way_back_closes_its_three_segments,
+    the_accelerations_alone_make_the_whole_way,
+    the_first_segment_takes_a_part_of_the_time,
+    the_way_back_closes,
+];
 
 const RESULTS: [&str; 5] = ["a2", "tEdge1", "d1Edge1", "d1Edge2", "v1Edge2"];
 
-#[test]
-fn the_way_back_closes_its_three_segments() {
+fn the_way_back_closes_its_three_segments(laws: &mut Laws) {
     // Two equations a segment: where it ends, and how fast. The first ends with 0+(a1Max-a1Max)*tEdge1/2 = 0.
-    demand(
+    laws.demand(
         "return_path::asymmetric_return",
         &RESULTS,
         &[
@@ -22,10 +28,9 @@ fn the_way_back_closes_its_three_segments() {
     );
 }
 
-#[test]
-fn the_accelerations_alone_make_the_whole_way() {
+fn the_accelerations_alone_make_the_whole_way(laws: &mut Laws) {
     // The accelerations of the three segments, integrated once and twice over all the time, tEdge+tOut.
-    demand(
+    laws.demand(
         "return_path::asymmetric_return",
         &RESULTS,
         &[
@@ -36,16 +41,14 @@ fn the_accelerations_alone_make_the_whole_way() {
     );
 }
 
-#[test]
-fn the_first_segment_takes_a_part_of_the_time() {
-    demand("return_path::asymmetric_return", &RESULTS, &["tEdge1 > 0 and d1Edge1 > 0", "tEdge1 <= tEdge"]);
+fn the_first_segment_takes_a_part_of_the_time(laws: &mut Laws) {
+    laws.demand("return_path::asymmetric_return", &RESULTS, &["tEdge1 > 0 and d1Edge1 > 0", "tEdge1 <= tEdge"]);
 }
 
-#[test]
-fn the_way_back_closes() {
+fn the_way_back_closes(laws: &mut Laws) {
     let motion = Motion::from(["0", "0", "a1Max"])
         .jerk("tEdge1", "-2*a1Max/tEdge1", ["d1Edge1", "0", "-a1Max"])
         .ramp("tEdge-tEdge1", ["d1Edge1+d1Edge2", "v1Edge2", "a2"])
         .jerk("tOut", "(a3-a2)/tOut", ["d1Out", "v3", "a3"]);
-    demand_motion(&kernel("return_path::asymmetric_return", &RESULTS), &motion);
+    laws.demand_motion(&kernel("return_path::asymmetric_return", &RESULTS), &motion);
 }

@@ -4,24 +4,36 @@ use closedform_tests::kernels::judge_of;
 use closedform_tests::laws::chain::Chain;
 use closedform_tests::laws::motion::Motion;
 
-use crate::{demand, demand_inverse, demand_motion, demand_of, kernel};
+use crate::{Laws, kernel};
 
-#[test]
-fn outer_and_inner_ramps_close_the_move() {
-    let laws = [
+laws![
+    outer_and_inner_ramps_close_the_move,
+    ramps_close_on_the_step,
+    a_ramp_in_travels_its_distance,
+    tau_and_delta_solve_the_turn_around,
+    largest_acceleration_makes_the_step,
+    the_share_of_the_ramps_in_is_by_their_times,
+    tau_and_delta_undo_each_other,
+    the_move_of_outer_and_inner_ramps_closes,
+    outer_and_inner_ramps_undo_each_other,
+    the_move_of_ramps_in_and_out_closes,
+    moves_by_tau_and_delta_close,
+];
+
+fn outer_and_inner_ramps_close_the_move(laws: &mut Laws) {
+    let equations = [
         "a0*t0^2/3+2*(a0*t0/2*t3+a0*t3^2/3)+t2*a0*(t0+t3)/2 = DeltaX",
         "v0 = a0*t0/2",
         "k*(t0+t3)*(t0+2*t3) = t0^2",
         "t0 > 0 and t3 > 0 and v0 > 0 and k > 0",
         "k <= 1",
     ];
-    demand("turnaround::outer_ramp", &["t0", "v0", "k"], &laws);
-    demand("turnaround::inner_ramp", &["t3", "v0", "k"], &laws);
+    laws.demand("turnaround::outer_ramp", &["t0", "v0", "k"], &equations);
+    laws.demand("turnaround::inner_ramp", &["t3", "v0", "k"], &equations);
 }
 
-#[test]
-fn ramps_close_on_the_step() {
-    demand(
+fn ramps_close_on_the_step(laws: &mut Laws) {
+    laws.demand(
         "turnaround::t_in",
         &["tIn"],
         &[
@@ -29,12 +41,12 @@ fn ramps_close_on_the_step() {
             "tIn > 0",
         ],
     );
-    demand(
+    laws.demand(
         "turnaround::ramp_in",
         &["d2_in", "v2_in"],
         &["d2_in = a2Max*tIn^2/6", "v2_in = a2Max*tIn/2", "d2_in > 0 and v2_in > 0"],
     );
-    demand(
+    laws.demand(
         "turnaround::ramp_out",
         &["d2_out", "v2_out"],
         &[
@@ -45,44 +57,41 @@ fn ramps_close_on_the_step() {
     );
 }
 
-#[test]
-fn a_ramp_in_travels_its_distance() {
-    demand("turnaround::t_in_of_d2_in", &["tIn"], &["a2Max*tIn^2/6 = d2In", "tIn > 0"]);
-    demand("turnaround::a2_max_of_d2_in", &["a2Max"], &["a2Max*tIn^2/6 = d2In", "a2Max > 0"]);
+fn a_ramp_in_travels_its_distance(laws: &mut Laws) {
+    laws.demand("turnaround::t_in_of_d2_in", &["tIn"], &["a2Max*tIn^2/6 = d2In", "tIn > 0"]);
+    laws.demand("turnaround::a2_max_of_d2_in", &["a2Max"], &["a2Max*tIn^2/6 = d2In", "a2Max > 0"]);
 }
 
-#[test]
-fn tau_and_delta_solve_the_turn_around() {
+fn tau_and_delta_solve_the_turn_around(laws: &mut Laws) {
     let squared = "(tIn+3*tau-3*tEFSkip/2)^2 = tau^2+3*delta";
-    demand(
+    laws.demand(
         "turnaround::t_in_of_tau",
         &["tIn"],
         &["(tIn+3*tau-3*tEFSkip/2)^2 = tau^2+3*delta", "tIn > 0 and 2*tIn+6*tau-3*tEFSkip >= 0"],
     );
-    demand("turnaround::tau_of_t_in", &["tau"], &[squared, "tau > 0 and 2*tIn+6*tau-3*tEFSkip >= 0"]);
-    demand("turnaround::tau_without_skip", &["tau"], &["(tIn+3*tau)^2 = tau^2+3*delta", "tau > 0"]);
-    demand("turnaround::delta_of_tau", &["delta"], &[squared, "delta > 0"]);
-    demand(
+    laws.demand("turnaround::tau_of_t_in", &["tau"], &[squared, "tau > 0 and 2*tIn+6*tau-3*tEFSkip >= 0"]);
+    laws.demand("turnaround::tau_without_skip", &["tau"], &["(tIn+3*tau)^2 = tau^2+3*delta", "tau > 0"]);
+    laws.demand("turnaround::delta_of_tau", &["delta"], &[squared, "delta > 0"]);
+    laws.demand(
         "turnaround::delta_of_t_edge",
         &["delta"],
         &["tIn^2/3+tIn*(tOut+tEdge/2)+2*(tOut+tEdge/2)^2/3+tEFSkip*(tIn+tOut+tEdge/2)/2 = delta", "delta > 0"],
     );
-    demand(
+    laws.demand(
         "turnaround::t_edge_of_t_in",
         &["tEdge"],
         &["tIn^2/3+tIn*(tOut+tEdge/2)+2*(tOut+tEdge/2)^2/3 = delta", "tEdge >= 0"],
     );
 }
 
-#[test]
-fn largest_acceleration_makes_the_step() {
-    demand("turnaround::a2_max_of_tau", &["a2Max"], &["a2Max*((tIn+3*tau)^2-tau^2) = 3*d2Step", "a2Max > 0"]);
-    demand(
+fn largest_acceleration_makes_the_step(laws: &mut Laws) {
+    laws.demand("turnaround::a2_max_of_tau", &["a2Max"], &["a2Max*((tIn+3*tau)^2-tau^2) = 3*d2Step", "a2Max > 0"]);
+    laws.demand(
         "turnaround::da2_max_dtau",
         &["slope"],
         &["slope*((tIn+3*tau)^2-tau^2)^2 = -3*d2Step*(6*(tIn+3*tau)-2*tau)", "slope < 0"],
     );
-    demand(
+    laws.demand(
         "turnaround::dtau_da2_max",
         &["slope"],
         &[
@@ -93,9 +102,8 @@ fn largest_acceleration_makes_the_step() {
     );
 }
 
-#[test]
-fn the_share_of_the_ramps_in_is_by_their_times() {
-    demand(
+fn the_share_of_the_ramps_in_is_by_their_times(laws: &mut Laws) {
+    laws.demand(
         "turnaround::k_of_t_in",
         &["K"],
         &[
@@ -107,23 +115,21 @@ fn the_share_of_the_ramps_in_is_by_their_times() {
     );
 }
 
-#[test]
-fn tau_and_delta_undo_each_other() {
-    demand_inverse(("turnaround::tau_of_t_in", "tau"), ("turnaround::delta_of_tau", "delta"), &[]);
-    demand_inverse(("turnaround::tau_of_t_in", "tau"), ("turnaround::t_in_of_tau", "tIn"), &[]);
-    demand_inverse(("turnaround::delta_of_tau", "delta"), ("turnaround::tau_of_t_in", "tau"), &[]);
-    demand_inverse(("turnaround::tau_without_skip", "tau"), ("turnaround::delta_of_tau", "delta"), &[("tEFSkip", "0")]);
-    demand_inverse(
+fn tau_and_delta_undo_each_other(laws: &mut Laws) {
+    laws.demand_inverse(("turnaround::tau_of_t_in", "tau"), ("turnaround::delta_of_tau", "delta"), &[]);
+    laws.demand_inverse(("turnaround::tau_of_t_in", "tau"), ("turnaround::t_in_of_tau", "tIn"), &[]);
+    laws.demand_inverse(("turnaround::delta_of_tau", "delta"), ("turnaround::tau_of_t_in", "tau"), &[]);
+    laws.demand_inverse(("turnaround::tau_without_skip", "tau"), ("turnaround::delta_of_tau", "delta"), &[("tEFSkip", "0")]);
+    laws.demand_inverse(
         ("turnaround::t_edge_of_t_in", "tEdge"),
         ("turnaround::delta_of_t_edge", "delta"),
         &[("tEFSkip", "0")],
     );
-    demand_inverse(("turnaround::t_in_of_d2_in", "tIn"), ("turnaround::a2_max_of_d2_in", "a2Max"), &[]);
-    demand_inverse(("turnaround::a2_max_of_d2_in", "a2Max"), ("turnaround::t_in_of_d2_in", "tIn"), &[]);
+    laws.demand_inverse(("turnaround::t_in_of_d2_in", "tIn"), ("turnaround::a2_max_of_d2_in", "a2Max"), &[]);
+    laws.demand_inverse(("turnaround::a2_max_of_d2_in", "a2Max"), ("turnaround::t_in_of_d2_in", "tIn"), &[]);
 }
 
-#[test]
-fn the_move_of_outer_and_inner_ramps_closes() {
+fn the_move_of_outer_and_inner_ramps_closes(laws: &mut Laws) {
     // The four ramps travel DeltaX-t2*(v0+a0*t3/2), the outer two of them the share k.
     let ramps = "(DeltaX-t2*(v0+a0*t3/2))";
     let [after_first, before_last] = [format!("{ramps}*k/2"), format!("DeltaX-{ramps}*k/2")];
@@ -134,21 +140,19 @@ fn the_move_of_outer_and_inner_ramps_closes() {
         .jerk("t2", "0", [&end_of_middle, "v0+a0*t3/2", "0"])
         .jerk("t3", "-a0/t3", [&before_last, "v0", "-a0"])
         .jerk("t0", "2*v0/t0^2", ["DeltaX", "0", "0"]);
-    demand_motion(&kernel("turnaround::outer_ramp", &["t0", "v0", "k"]), &motion);
-    demand_motion(&kernel("turnaround::inner_ramp", &["t3", "v0", "k"]), &motion);
+    laws.demand_motion(&kernel("turnaround::outer_ramp", &["t0", "v0", "k"]), &motion);
+    laws.demand_motion(&kernel("turnaround::inner_ramp", &["t3", "v0", "k"]), &motion);
 }
 
-#[test]
-fn outer_and_inner_ramps_undo_each_other() {
+fn outer_and_inner_ramps_undo_each_other(laws: &mut Laws) {
     let (outer, inner) = (judge_of("turnaround::outer_ramp"), judge_of("turnaround::inner_ramp"));
     let back = Chain::new(&outer, &["t0", "v0", "k"]).then(&inner, &["T3", "V0", "K"]);
-    demand_of(&back, &["T3 = t3", "V0 = v0", "K = k"]);
+    laws.demand_of(&back, &["T3 = t3", "V0 = v0", "K = k"]);
     let back = Chain::new(&inner, &["t3", "v0", "k"]).then(&outer, &["T0", "V0", "K"]);
-    demand_of(&back, &["T0 = t0", "V0 = v0", "K = k"]);
+    laws.demand_of(&back, &["T0 = t0", "V0 = v0", "K = k"]);
 }
 
-#[test]
-fn the_move_of_ramps_in_and_out_closes() {
+fn the_move_of_ramps_in_and_out_closes(laws: &mut Laws) {
     let chain = kernel("turnaround::t_in", &["tIn"])
         .then(&judge_of("turnaround::ramp_in"), &["d2In", "v2In"])
         .then(&judge_of("turnaround::ramp_out"), &["d2Out", "v2Out"]);
@@ -158,7 +162,7 @@ fn the_move_of_ramps_in_and_out_closes() {
         .ramp("tEdgeTotal", ["d2Step-d2In-d2Out", "v2Out", "0"])
         .ramp("tOut", ["d2Step-d2In", "v2In", "-a2Max"])
         .jerk("tIn", "a2Max/tIn", ["d2Step", "0", "0"]);
-    demand_motion(&chain, &motion);
+    laws.demand_motion(&chain, &motion);
 }
 
 /// The move with the largest acceleration `a` from rest to rest: ramps in of the time tIn, ramps out of the time `out`,
@@ -175,16 +179,15 @@ pub fn turn(a: &str, out: &str, skip: &str, travel: &str) -> Motion {
         .ramp("tIn", [travel, "0", "0"])
 }
 
-#[test]
-fn moves_by_tau_and_delta_close() {
+fn moves_by_tau_and_delta_close(laws: &mut Laws) {
     // With the largest acceleration 1 the step is delta; the ramps out take (4*tau-3*tEFSkip)/2, or tOut+tEdge/2.
     let by_tau = |skip| turn("1", &format!("((4*tau-3*{skip})/2)"), skip, "delta");
-    demand_motion(&kernel("turnaround::t_in_of_tau", &["tIn"]), &by_tau("tEFSkip"));
-    demand_motion(&kernel("turnaround::tau_of_t_in", &["tau"]), &by_tau("tEFSkip"));
-    demand_motion(&kernel("turnaround::delta_of_tau", &["delta"]), &by_tau("tEFSkip"));
-    demand_motion(&kernel("turnaround::tau_without_skip", &["tau"]), &by_tau("0"));
-    demand_motion(&kernel("turnaround::a2_max_of_tau", &["a2Max"]), &turn("a2Max", "2*tau", "0", "d2Step"));
+    laws.demand_motion(&kernel("turnaround::t_in_of_tau", &["tIn"]), &by_tau("tEFSkip"));
+    laws.demand_motion(&kernel("turnaround::tau_of_t_in", &["tau"]), &by_tau("tEFSkip"));
+    laws.demand_motion(&kernel("turnaround::delta_of_tau", &["delta"]), &by_tau("tEFSkip"));
+    laws.demand_motion(&kernel("turnaround::tau_without_skip", &["tau"]), &by_tau("0"));
+    laws.demand_motion(&kernel("turnaround::a2_max_of_tau", &["a2Max"]), &turn("a2Max", "2*tau", "0", "d2Step"));
     let by_edge = |skip| turn("1", "(tOut+tEdge/2)", skip, "delta");
-    demand_motion(&kernel("turnaround::delta_of_t_edge", &["delta"]), &by_edge("tEFSkip"));
-    demand_motion(&kernel("turnaround::t_edge_of_t_in", &["tEdge"]), &by_edge("0"));
+    laws.demand_motion(&kernel("turnaround::delta_of_t_edge", &["delta"]), &by_edge("tEFSkip"));
+    laws.demand_motion(&kernel("turnaround::t_edge_of_t_in", &["tEdge"]), &by_edge("0"));
 }
