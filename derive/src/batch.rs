@@ -1,7 +1,7 @@
 //! Batches: many points, one slice an input and one a result, or one struct a point.
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 use syn::ext::IdentExt;
 
 use crate::parts::Parts;

@@ -321,10 +321,9 @@ fn info_tells_what_was_written() {
         mul: 2,
         div: 1,
         sqrt: 1,
-        cbrt: 0,
         compensated: 4,
         compensated_expressions: 1,
-        root: 0,
+        ..closedform::Operations::default()
     };
     assert_eq!(info.operations, operations);
     // (a b - ..) (a + 2) is no less than 2^(-3 (k + 52)) unless it is zero, and 2^-968 is the least that keeps its error

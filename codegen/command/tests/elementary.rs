@@ -19,7 +19,7 @@ fn generated() -> (tempfile::TempDir, Catalogue) {
 /// Values between 2^-20 and 2^8, those of an input where its formula cancels, and large ones.
 fn values(entry: &Entry) -> Vec<f64> {
     let ordinary = (0..40).map(|k| f64::powi(2.0, k * 28 / 40 - 20) * (1.0 + f64::from(k % 7) / 7.0));
-    let cancelling = [1e-8, 1e-16, 1e-300, 0.5, 1.0 - 1e-12, 1.0, 1.5, 3.141_592_653_589_793, 355.0, 1e22];
+    let cancelling = [1e-8, 1e-16, 1e-300, 0.5, 1.0 - 1e-12, 1.0, 1.5, std::f64::consts::PI, 355.0, 1e22];
     let of_domain = |x: &f64| entry.inputs().len() > 1 || entry.domain().unwrap().holds(&[*x]);
     ordinary.chain(cancelling).flat_map(|x| [x, -x]).filter(of_domain).collect()
 }
@@ -45,7 +45,7 @@ fn every_formula_is_made_and_keeps_its_bound() {
             if !exact.is_normal() {
                 continue;
             }
-            let measured = measure(&entry.kernel, &reference, &[point.clone()], || ()).unwrap();
+            let measured = measure(&entry.kernel, &reference, std::slice::from_ref(&point), || ()).unwrap();
             let worst = measured.worst[0].as_ref().unwrap();
             assert!(worst.ulp <= 0.51, "{}: {} ulp at {point:?}, {exact:e} is right", entry.name, worst.ulp);
             judged += 1;

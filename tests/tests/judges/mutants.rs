@@ -8,7 +8,6 @@ use crate::right::Ramps;
 macro_rules! mutants {
     ($($(#[$doc:meta])* $name:ident($v:ident, $a:ident, $x:ident), $certificate:tt { $($body:tt)* })*) => {$(
         $(#[$doc])*
-        #[expect(dead_code, reason = "judges call it through KERNEL")]
         #[kernel(family = "sample", bound = 3, certificate = $certificate, result(worksheet = "reach", unit = "s"))]
         pub fn $name(
             #[input(unit = "m/s", typical(1e-3, 2.0))] $v: f64,

@@ -14,11 +14,14 @@ struct Named {
     /// `call`, `checked`, `faithful`, `fast`, and both parts of `with_bound`.
     single: fn(&[f64]) -> [Answer; 6],
     /// `rows` and `fast_rows`, a list a point.
-    rows: fn(&[Vec<f64>]) -> [Vec<Vec<f64>>; 2],
+    rows: fn(&[Point]) -> [Vec<Numbers>; 2],
     /// `batch` and `fast_batch` of columns, a list a result.
-    columns: fn(&[Vec<f64>]) -> [Vec<Vec<f64>>; 2],
+    columns: fn(&[Column]) -> [Vec<Column>; 2],
 }
 
+type Point = Vec<f64>;
+type Numbers = Vec<f64>;
+type Column = Vec<f64>;
 type Answer = Result<Vec<f64>, String>;
 
 fn numbers<R: Record<N>, const N: usize>(record: R) -> Answer {

@@ -71,7 +71,11 @@ fn ramp_and_turn_undo_each_other(laws: &mut Laws) {
 }
 
 fn the_overhead_is_the_time_beyond_the_line(laws: &mut Laws) {
-    laws.demand("fly_axis::t_add", &["tAdd"], &["v1Scan*(tIn-tAdd) = v1Scan*tIn+(2*0-2*v1Diff/tIn)*tIn^2/6", "tAdd >= 0"]);
+    laws.demand(
+        "fly_axis::t_add",
+        &["tAdd"],
+        &["v1Scan*(tIn-tAdd) = v1Scan*tIn+(2*0-2*v1Diff/tIn)*tIn^2/6", "tAdd >= 0"],
+    );
     laws.demand(
         "fly_axis::overhead",
         &["tOvrHd"],

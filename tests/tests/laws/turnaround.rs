@@ -119,7 +119,11 @@ fn tau_and_delta_undo_each_other(laws: &mut Laws) {
     laws.demand_inverse(("turnaround::tau_of_t_in", "tau"), ("turnaround::delta_of_tau", "delta"), &[]);
     laws.demand_inverse(("turnaround::tau_of_t_in", "tau"), ("turnaround::t_in_of_tau", "tIn"), &[]);
     laws.demand_inverse(("turnaround::delta_of_tau", "delta"), ("turnaround::tau_of_t_in", "tau"), &[]);
-    laws.demand_inverse(("turnaround::tau_without_skip", "tau"), ("turnaround::delta_of_tau", "delta"), &[("tEFSkip", "0")]);
+    laws.demand_inverse(
+        ("turnaround::tau_without_skip", "tau"),
+        ("turnaround::delta_of_tau", "delta"),
+        &[("tEFSkip", "0")],
+    );
     laws.demand_inverse(
         ("turnaround::t_edge_of_t_in", "tEdge"),
         ("turnaround::delta_of_t_edge", "delta"),

@@ -159,8 +159,7 @@ fn uniform(random: &mut Random) -> ([f64; 7], f64) {
 }
 
 fn uniform_motion_is_reproduced(laws: &mut Laws) {
-    for kernel in
-        ["waypoints::linear", "waypoints::quadratic_linear_quadratic", "waypoints::quadratic_cubic_quadratic"]
+    for kernel in ["waypoints::linear", "waypoints::quadratic_linear_quadratic", "waypoints::quadratic_cubic_quadratic"]
     {
         laws.ask(&[kernel], move || {
             reproduces_uniform_motion(kernel);
