@@ -124,6 +124,9 @@ impl Module {
         while let Some(token) = rest.next() {
             if token == "use" {
                 use_tree(&mut rest, &[], &mut imports);
+            } else if token == "$" {
+                // `$crate` names what a macro means where it is called
+                _ = rest.next().map(|name| path(name, &mut rest));
             } else if is_name(token) {
                 mentions.push(path(token, &mut rest));
             }
@@ -246,6 +249,7 @@ mod tests {
         let there = ("b.rs", "fn f() { super::c::g() }");
         let back = |text| found(&[("lib.rs", ""), there, ("c.rs", text)]).len();
         assert_eq!(back("fn g() { crate::b::f() }"), 1);
+        assert_eq!(back("macro_rules! m { () => { $crate::b::f() }; }"), 0);
         assert_eq!(back("// crate::b::f()\nfn g() -> &str { \"\\\"crate::b::f()\" }\n"), 0);
         assert_eq!(back("fn g() {}\n#[cfg(test)]\nmod tests {\n    use crate::b::f;\n}\n"), 0);
     }

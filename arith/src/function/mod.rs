@@ -18,6 +18,7 @@ mod exp;
 mod log;
 mod operations;
 mod properties;
+mod signs;
 mod sin;
 mod sqrt;
 mod tan;
@@ -28,7 +29,6 @@ use crate::ball::Ball;
 use crate::double_double::DoubleDouble;
 use crate::soft_float::SoftFloat;
 pub use cost::Cost;
-use properties::signs;
 pub use properties::{Domain, Parity, Properties};
 
 /// A function: what holds of it, and its value in every arithmetic.

@@ -1,6 +1,6 @@
 //! `Properties`: what holds of a function, whatever evaluates it.
 
-use core::cmp::Ordering::{self, Equal, Greater, Less};
+use core::cmp::Ordering;
 
 use super::cost::Cost;
 use crate::error_model::Units;
@@ -71,16 +71,4 @@ pub enum Parity {
     Odd,
     /// Neither.
     None,
-}
-
-/// Signs that a value can have.
-pub(super) mod signs {
-    use super::{Equal, Greater, Less, Ordering};
-
-    pub(in super::super) const NO_VALUE: &[Ordering] = &[];
-    pub(in super::super) const NEGATIVE: &[Ordering] = &[Less];
-    pub(in super::super) const ZERO: &[Ordering] = &[Equal];
-    pub(in super::super) const POSITIVE: &[Ordering] = &[Greater];
-    pub(in super::super) const NOT_NEGATIVE: &[Ordering] = &[Equal, Greater];
-    pub(in super::super) const ANY: &[Ordering] = &[Less, Equal, Greater];
 }

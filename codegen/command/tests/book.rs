@@ -1,5 +1,6 @@
-//! The pages of the book that show commands, and README.md: every command of a block ```` ```console ```` is run, and prints what
-//! the page shows. With the variable `UPDATE`, pages are written anew.
+//! The pages of the book that show commands, and README.md, print what they show.
+//!
+//! Every command of a block of `console` code is run. With the variable `UPDATE`, pages are written anew.
 
 mod common;
 #[path = "book/page.rs"]

@@ -1,6 +1,5 @@
 //! Exact expressions: what a reference expression means, free of Maxima's syntax and of any float.
 
-mod composed;
 mod lower;
 
 pub use lower::{
