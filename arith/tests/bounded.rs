@@ -140,6 +140,28 @@ fn operations_keep_their_bounds_at_ordinary_magnitudes() {
 }
 
 #[test]
+fn elementary_functions_keep_their_bounds() {
+    for function in Function::ALL.into_iter().filter(|function| !function.is_power()) {
+        let (mut random, escalate) = (Random(88_172_645_463_325_252), Cell::new(false));
+        let (mut largest, mut judged) = (0.0_f64, 0);
+        for at in 0..4_000 {
+            let size = f64::powi(2.0, at % 24 - 18) * (1.0 + random.below(1 << 20) as f64 / f64::from(1 << 20));
+            let value = if random.below(2) == 0 { size } else { -size };
+            if !function.properties().domain.holds(value) {
+                continue;
+            }
+            let argument = operand::<true>(value, &mut random, &escalate);
+            let mut exact = argument.exact;
+            function.mpfr(&mut exact);
+            if let Some(share) = share(argument.number.call(function), &exact, &escalate) {
+                (largest, judged) = (largest.max(share), judged + 1);
+            }
+        }
+        assert!(judged > 500 && largest > 0.3, "{function:?}: {judged} judged, {largest} of the bound at most");
+    }
+}
+
+#[test]
 fn comparisons_are_right_or_escalate() {
     let (mut random, escalate) = (Random(2_463_534_242), Cell::new(false));
     let mut decided = 0;
