@@ -12,7 +12,7 @@ impl Parts<'_> {
         self.rows_in_blocks(
             "batch",
             "The values of many points, bit for bit those of single calls; inputs first, then one slice a result.",
-            ["first_tier", "value"],
+            ["first_tier", "decided"],
         )
     }
 

@@ -11,7 +11,7 @@ use closedform_arith::{Bounded, Precision, tier};
 
 use crate::info::{Info, ResultInfo};
 use crate::program::{Fast, Program};
-use crate::shape::{all, answered, ordinary, value, values};
+use crate::shape::{all, answered, ordinary, value_apart, values};
 
 /// The results with a relative error of at most [`PROMISE`]; NaN outside the domain.
 #[inline(always)]
@@ -35,8 +35,11 @@ pub fn fast_first_tier<P: Program<N, K, M>, const N: usize, const K: usize, cons
 #[cold]
 #[inline(never)]
 pub fn fast_again<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
-    let outside = first_tier::<P, N, K, M>(inputs).is_outside(admitted(P::FAST, inputs));
-    if outside { [f64::NAN; M] } else { refined::<P, N, K, M>(inputs) }
+    if watched::<P, N, K, M>(inputs).is_outside(admitted(P::FAST, inputs)) {
+        [f64::NAN; M]
+    } else {
+        refined::<P, N, K, M>(inputs)
+    }
 }
 
 /// What `f64` with bounds of its errors computes.
@@ -114,7 +117,7 @@ where
 /// What [`fast`] returns where its first tier escalates.
 fn refined<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
     if const { keeps_promise(P::INFO) } {
-        value::<P, N, K, M>(inputs)
+        value_apart::<P, N, K, M>(inputs)
     } else {
         values(answered::<P, N, K, M>(inputs, tier::certified))
     }
@@ -137,12 +140,19 @@ const fn relative(ulp: f64) -> f64 {
     2.0 * UNIT * ulp
 }
 
+/// Results and their bounds, of any inputs.
+#[inline(never)]
+fn watched<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    inputs: &[f64; N],
+) -> Found<(f64, f64), M> {
+    bounded::<P, N, K, M, true, (f64, f64)>(inputs, |number| (number.value(), number.bound()))
+}
+
 /// The results, and a bound of the absolute error of each; NaN outside the domain.
 pub fn with_bound<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
 ) -> ([f64; M], [f64; M]) {
-    let end = |number: Bounded<'_, true>| (number.value(), number.bound());
-    let found = bounded::<P, N, K, M, true, (f64, f64)>(inputs, end);
+    let found = watched::<P, N, K, M>(inputs);
     if found.is_outside(admitted(P::FAST, inputs)) {
         return ([f64::NAN; M], [f64::NAN; M]);
     }

@@ -10,7 +10,7 @@ use crate::error::{CallError, LengthError};
 use crate::fast::{fast, with_bound};
 use crate::info::Info;
 use crate::program::Program;
-use crate::shape::{checked, faithful, single, value};
+use crate::shape::{checked, faithful, single, value_apart};
 
 /// A kernel as a value, called by slices: `inputs` in the order of [`Info::inputs`], `results` in that of
 /// [`Info::results`]. No call allocates or panics.
@@ -41,7 +41,7 @@ impl Kernel {
         Kernel {
             info: P::INFO,
             table: P::TABLE,
-            default: |inputs, results| by_slices(P::INFO, inputs, results, value::<P, N, K, M>),
+            default: |inputs, results| by_slices(P::INFO, inputs, results, value_apart::<P, N, K, M>),
             faithful: |inputs, results| by_slices(P::INFO, inputs, results, faithful::<P, N, K, M>),
             checked: |inputs, results| store(P::INFO, checked::<P, N, K, M>(fixed(P::INFO, inputs)?)?, results),
             fast: |inputs, results| by_slices(P::INFO, inputs, results, fast::<P, N, K, M>),

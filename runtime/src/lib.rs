@@ -90,7 +90,7 @@ pub mod __private {
     pub use crate::rows::rows;
     #[cfg(feature = "serde")]
     pub use crate::serde::{deserialize, serialize};
-    pub use crate::shape::{checked, faithful, first_tier, same_length, single, value};
+    pub use crate::shape::{checked, decided, faithful, first_tier, same_length, single, value};
     pub use closedform_arith::table::{Instruction, Source, Sum, Table};
     pub use closedform_arith::{Function, Relation, Terms};
     #[cfg(feature = "serde")]

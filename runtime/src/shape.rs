@@ -21,7 +21,36 @@ const FINITE: &str = "every input is finite";
 pub fn value<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
     let escalate = Cell::new(0);
     let results = first_tier::<P, N, K, M>(inputs, &escalate);
-    if escalate.get() != 0 { values(answer::<P, N, K, M>(inputs)) } else { results }
+    if escalate.get() != 0 { decided::<P, N, K, M>(inputs) } else { results }
+}
+
+/// [`value`] as a function of its own: for shapes that gain nothing from the steps of the kernel among theirs, which would be
+/// compiled for each of them.
+pub(crate) fn value_apart<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    inputs: &[f64; N],
+) -> [f64; M] {
+    match first_tier_apart::<P, N, K, M>(inputs) {
+        Some((results, domain)) => where_inside(results, domain, f64::NAN),
+        None => decided::<P, N, K, M>(inputs),
+    }
+}
+
+/// Results and domain as one function of each kernel; `None` where the first tier escalates, or there is none.
+#[inline(never)]
+fn first_tier_apart<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    inputs: &[f64; N],
+) -> Option<([f64; M], [bool; K])> {
+    if P::INFO.ordinary == 0 {
+        return None;
+    }
+    let escalate = Cell::new(0);
+    let found = in_first_tier::<P, N, K, M>(inputs, &escalate);
+    (escalate.get() == 0).then_some(found)
+}
+
+/// What [`value`] returns where the first tier escalates.
+pub fn decided<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
+    values(answer::<P, N, K, M>(inputs))
 }
 
 /// What [`value`] returns, unless `escalate` is raised.
@@ -31,7 +60,7 @@ pub fn first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: 
     escalate: &Cell<u64>,
 ) -> [f64; M] {
     if P::INFO.ordinary == 0 {
-        return values(answer::<P, N, K, M>(inputs));
+        return decided::<P, N, K, M>(inputs);
     }
     let (results, domain) = in_first_tier::<P, N, K, M>(inputs, escalate);
     where_inside(results, domain, f64::NAN)
@@ -169,15 +198,23 @@ pub(crate) fn values<const M: usize>(answer: Result<[Rounded; M], &'static str>)
 
 /// The results with an error of less than one ulp; NaN outside the domain.
 pub fn faithful<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
-    if P::INFO.ordinary == 0 {
-        return values(faithful_answer::<P, N, K, M>(inputs));
+    match faithful_first_tier::<P, N, K, M>(inputs) {
+        Some((results, domain)) => where_inside(results, domain, f64::NAN),
+        None => values(faithful_answer::<P, N, K, M>(inputs)),
+    }
+}
+
+/// Results and domain in double-double, which for most kernels is not the first tier of a default call.
+#[inline(always)]
+fn faithful_first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    inputs: &[f64; N],
+) -> Option<([f64; M], [bool; K])> {
+    if P::INFO.precision != Precision::Double || P::INFO.ordinary == 0 {
+        return first_tier_apart::<P, N, K, M>(inputs);
     }
     let escalate = Cell::new(0);
-    let (results, domain) = in_double_double::<P, N, K, M>(inputs, &escalate);
-    if escalate.get() != 0 {
-        return values(faithful_answer::<P, N, K, M>(inputs));
-    }
-    where_inside(results, domain, f64::NAN)
+    let found = in_double_double::<P, N, K, M>(inputs, &escalate);
+    (escalate.get() == 0).then_some(found)
 }
 
 /// The same where the first tier escalates.
@@ -207,14 +244,9 @@ fn finer_answer<P: Program<N, K, M>, const N: usize, const K: usize, const M: us
 pub fn checked<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     inputs: &[f64; N],
 ) -> Result<[f64; M], ValueError> {
-    if P::INFO.ordinary == 0 {
+    let Some((results, domain)) = first_tier_apart::<P, N, K, M>(inputs) else {
         return checked_when_decided::<P, N, K, M>(inputs);
-    }
-    let escalate = Cell::new(0);
-    let (results, domain) = in_first_tier::<P, N, K, M>(inputs, &escalate);
-    if escalate.get() != 0 {
-        return checked_when_decided::<P, N, K, M>(inputs);
-    }
+    };
     match first_violated(domain) {
         Some(position) => Err(DomainError::new(P::INFO, condition(P::INFO, position), inputs).into()),
         None => Ok(results),
@@ -238,7 +270,7 @@ fn checked_when_decided<P: Program<N, K, M>, const N: usize, const K: usize, con
 
 /// The results in single precision: evaluated in `f64` and rounded once.
 pub fn single<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f32; N]) -> [f32; M] {
-    value::<P, N, K, M>(&inputs.map(f64::from)).map(|result| result as f32)
+    value_apart::<P, N, K, M>(&inputs.map(f64::from)).map(|result| result as f32)
 }
 
 /// That the slice `name` is as long as the others.

@@ -170,7 +170,7 @@ fn exp_of<const L: usize>(a: Limbs<L>) -> Enclosure<L> {
     let (mut terms, mut digits) = (0_u64, 0);
     while digits < 64 * L as i64 + halvings {
         terms += 1;
-        digits += halvings + i64::from(terms.ilog2());
+        digits += halvings + floor_log2(terms);
     }
     let one = Enclosure::integer(1, 0);
     let series = (1..terms).rev().fold(one, |sum, term| one.plus(s.times(sum).over_integer(term)));
@@ -233,11 +233,16 @@ fn sin_cos_of<const L: usize>(a: Limbs<L>) -> Option<(Enclosure<L>, Enclosure<L>
     })
 }
 
+/// The logarithm of a positive integer to base 2, rounded down; without the panic of zero's.
+fn floor_log2(n: u64) -> i64 {
+    63 - i64::from(n.leading_zeros())
+}
+
 /// How many terms of the series of sine and cosine at numbers up to 1 leave less than 2^-digits, and these digits.
 fn terms<const L: usize>() -> (u64, i64) {
     let (mut terms, mut digits) = (1_u64, 0);
     while digits < 64 * L as i64 {
-        digits += i64::from((2 * terms - 1).ilog2()) + i64::from((2 * terms).ilog2());
+        digits += floor_log2(2 * terms - 1) + floor_log2(2 * terms);
         terms += 1;
     }
     (terms, digits)

@@ -41,6 +41,8 @@ impl<const L: usize> Real for Ball<'_, L> {
         self.negated()
     }
 
+    /// Inlined, so that a kernel links the functions that it calls, and no other.
+    #[inline(always)]
     fn call(&self, function: Function) -> Self {
         function.ball(self)
     }

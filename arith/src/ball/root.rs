@@ -1,6 +1,7 @@
 //! Roots of numbers and of polynomials in balls: by Newton's iteration, whose result is then bounded from what it leaves.
 
 use core::cmp::Ordering;
+use core::num::NonZero;
 
 use super::limbs::Limbs;
 use super::radius::Radius;
@@ -17,7 +18,7 @@ impl<const L: usize> Ball<'_, L> {
     /// The real root of this degree; `start` gives that of an `f64`.
     pub(crate) fn root(&self, degree: u32, start: fn(f64) -> f64) -> Self {
         let number = self.decisions.next();
-        let separation = || self.separation.and_then(|separation| separation.root(Root { number, degree }));
+        let separation = || self.separation?.root(Root { number, degree: NonZero::new(degree)? });
         let without = |kind| Self::without_value(kind, self.decisions);
         let odd = degree % 2 == 1;
         match (self.kind, self.sign()) {

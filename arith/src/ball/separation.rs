@@ -6,6 +6,8 @@
 //! expressions, Algorithmica 55, 2009; with powers of two taken out as by Pion and Yap: Constructive root bound for k-ary
 //! rational input numbers, SoCG 2003).
 
+use core::num::NonZero;
+
 /// What is known of the algebraic number that a value is: k, the logarithms of u and l to base 2, rounded up, and the
 /// roots that made it.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +25,7 @@ const MOST_ROOTS: usize = 7;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Root {
     pub(super) number: u32,
-    pub(super) degree: u32,
+    pub(super) degree: NonZero<u32>,
 }
 
 /// A set of roots.
@@ -51,7 +53,7 @@ impl Roots {
 
     /// The degree of what they generate, at most.
     fn degree(self) -> i64 {
-        self.0.iter().flatten().map(|root| i64::from(root.degree)).product()
+        self.0.iter().flatten().map(|root| i64::from(root.degree.get())).product()
     }
 }
 
@@ -89,7 +91,7 @@ impl Separation {
     /// Of a root. With d its degree, it is the root of U L^(d-1), by L; or U by the root of U^(d-1) L: either is one of
     /// algebraic integers.
     pub(super) fn root(self, root: Root) -> Option<Self> {
-        let degree = i64::from(root.degree);
+        let degree = i64::from(root.degree.get());
         let left = self.twos.rem_euclid(degree);
         let inner = self.upper + left;
         let part = |once: i64, others: i64| (once + (degree - 1) * others + degree - 1).div_euclid(degree);

@@ -111,6 +111,7 @@ macro_rules! functions {
             }
 
             /// Its value in integers with an endless exponent.
+            #[inline(always)]
             pub(crate) fn soft(self, x: SoftFloat) -> SoftFloat {
                 match self {
                     $(Self::$name => $file::$name::soft(x),)*
@@ -118,6 +119,7 @@ macro_rules! functions {
             }
 
             /// Its value in balls.
+            #[inline(always)]
             pub(crate) fn ball<'a, const L: usize>(self, x: &Ball<'a, L>) -> Ball<'a, L> {
                 match self {
                     $(Self::$name => $file::$name::ball(x),)*

@@ -52,6 +52,8 @@ impl Real for SoftFloat {
         self.negated()
     }
 
+    /// Inlined, so that a kernel links the functions that it calls, and no other.
+    #[inline(always)]
     fn call(&self, function: Function) -> Self {
         function.soft(*self)
     }

@@ -191,7 +191,7 @@ fn every_formula_that_no_kernel_is_made_of_is_named() {
     let folder = tempfile::tempdir().unwrap();
     let (worksheet, out) = (folder.path().join("my.mac"), folder.path().join("mine"));
     fs::write(&worksheet, "f(x) := sqrt(-1-x^2)$ g(x) := x+1$ h(x) := sqrt(-2-x^2)$").unwrap();
-    let said = fails(&repository(), &making(&worksheet, &out));
+    let said = fails(&repository(), &[&making(&worksheet, &out)[..], &["--strict"]].concat());
     assert!(
         said.contains("`my::f` has an empty domain") && said.contains("`my::h`") && !said.contains("my::g"),
         "{said}"
