@@ -75,6 +75,9 @@ pub enum TowerError {
     /// A name that is no input.
     #[error("uses `{0}`, which is no input")]
     UnknownName(String),
+    /// A choice between two values.
+    #[error("chooses with `if`, whose sides are no element of one field")]
+    Choice,
     /// A function that is no root.
     #[error("calls `{0}`, which is not algebraic")]
     NotAlgebraic(&'static str),
@@ -220,6 +223,7 @@ impl Tower {
             }
             Expr::Extreme { .. } => Err(TowerError::NestedExtreme),
             Expr::PositiveRoot { .. } => Err(TowerError::NestedRoot),
+            Expr::Choice(..) => Err(TowerError::Choice),
         }
     }
 

@@ -8,7 +8,7 @@ use crate::program::{Condition, Graph, Node};
 use closedform_maxima::Definition;
 use closedform_project::contract::KernelContract;
 use closedform_project::domain::Condition as Contracted;
-use closedform_project::expression::{Expr, LowerError, lower};
+use closedform_project::expression::{Expr, LowerError, Test, lower};
 use closedform_syntax::{BinaryOp, Condition as SourceCondition, Expr as Source, Kernel as SourceKernel, Relation};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
@@ -102,6 +102,12 @@ impl<'a> Written<'a> {
                 let inner = self.expression(inner)?;
                 Ok(self.graph.call(*function, inner))
             }
+            Expr::Choice(test, values) => {
+                let condition = self.test(test)?;
+                let [then, otherwise] = &**values;
+                let (then, otherwise) = (self.expression(then)?, self.expression(otherwise)?);
+                Ok(self.graph.select(condition, then, otherwise))
+            }
             Expr::Extreme { largest, items } => {
                 let items = self.all(items)?;
                 Ok(self.graph.extreme(*largest, items))
@@ -111,6 +117,19 @@ impl<'a> Written<'a> {
                 let coefficients = self.all(&coefficients)?;
                 Ok(self.graph.positive_root(coefficients, f64::INFINITY))
             }
+        }
+    }
+
+    fn test(&mut self, test: &Test) -> Result<Condition, WrittenError> {
+        let mut part = |part: &Test| self.test(part).map(Box::new);
+        match test {
+            Test::Compare(relation, sides) => {
+                let [left, right] = &**sides;
+                Ok(Condition::Compare(self.expression(left)?, *relation, self.expression(right)?))
+            }
+            Test::And(parts) => Ok(Condition::And(part(&parts[0])?, part(&parts[1])?)),
+            Test::Or(parts) => Ok(Condition::Or(part(&parts[0])?, part(&parts[1])?)),
+            Test::Not(inner) => Ok(Condition::Not(part(inner)?)),
         }
     }
 
@@ -222,7 +241,12 @@ impl<'a> Written<'a> {
                 let coefficients = self.text_values(coefficients, slots)?;
                 Ok(self.graph.positive_root(coefficients, f64::INFINITY))
             }
-            Source::If { .. } | Source::Compensated(_) | Source::Residual(_) => Err(WrittenError::Compensated),
+            Source::If { condition, then, otherwise } => {
+                let condition = self.text_condition(condition, slots)?;
+                let (then, otherwise) = (self.text_value(then, slots)?, self.text_value(otherwise, slots)?);
+                Ok(self.graph.select(condition, then, otherwise))
+            }
+            Source::Compensated(_) | Source::Residual(_) => Err(WrittenError::Compensated),
         }
     }
 

@@ -1,6 +1,7 @@
 //! Maxima text to exact expressions: what the generator understands, and a clear word about what it does not.
 
 use super::Expr;
+use super::choice::{atan2, choice, signum};
 use closedform_maxima::ast::{BinaryOperator, Expr as Ast, ExprKind, UnaryOperator};
 use closedform_maxima::{Relation, exact};
 use closedform_syntax::{Function, FunctionDomain};
@@ -32,6 +33,9 @@ pub fn lower_errors(ast: &Ast) -> Vec<LowerError> {
         ExprKind::Unary { operand, .. } => vec![operand],
         ExprKind::Binary { left, right, .. } => vec![left, right],
         ExprKind::Call { arguments, .. } => arguments.iter().collect(),
+        ExprKind::If { branches, otherwise } => {
+            branches.iter().map(|branch| &branch.value).chain(otherwise.as_deref()).collect()
+        }
         _ => Vec::new(),
     };
     let inside: Vec<LowerError> = parts.into_iter().flat_map(lower_errors).collect();
@@ -50,16 +54,12 @@ pub fn lower(ast: &Ast) -> Result<Expr, LowerError> {
         ExprKind::Unary { operator: UnaryOperator::Plus, operand } => lower(operand),
         ExprKind::Binary { operator, left, right } => binary(*operator, left, right, ast),
         ExprKind::Call { .. } => call(ast),
-        ExprKind::If { .. } => Err(unsupported(
-            ast,
-            "an `if`",
-            "branches are not known yet: define one function for each case, each with its own domain",
-        )),
+        ExprKind::If { branches, otherwise } => choice(branches, otherwise.as_deref(), ast),
         _ => Err(unsupported(ast, "this", "write a formula of + - * / ^ sqrt abs and numbers")),
     }
 }
 
-fn unsupported(ast: &Ast, what: &str, remedy: &str) -> LowerError {
+pub(super) fn unsupported(ast: &Ast, what: &str, remedy: &str) -> LowerError {
     LowerError {
         what: format!("{what} has no place in a reference expression"),
         remedy: remedy.to_owned(),
@@ -110,7 +110,7 @@ const NOT_YET: &str = "this function is not known yet: compute its value outside
 /// What to do instead of calling a function of Maxima that kernels may know one day; none for any other name.
 #[must_use]
 pub fn remedy_of_function(name: &str) -> Option<&'static str> {
-    const FUNCTIONS: [&str; 8] = ["atan2", "erf", "gamma", "floor", "ceiling", "round", "signum", "mod"];
+    const FUNCTIONS: [&str; 6] = ["erf", "gamma", "floor", "ceiling", "round", "mod"];
     FUNCTIONS.contains(&name).then_some(NOT_YET)
 }
 
@@ -242,7 +242,7 @@ pub fn is_function_of_one(name: &str) -> bool {
 /// Whether a function has a meaning of its own in a reference expression.
 #[must_use]
 pub fn is_known_function(name: &str) -> bool {
-    is_function_of_one(name) || ["max", "min", "positive_root"].contains(&name)
+    is_function_of_one(name) || ["atan2", "max", "min", "positive_root"].contains(&name)
 }
 
 /// How the functions that may stand in a reference expression are written, but for `positive_root`.
@@ -250,7 +250,7 @@ pub fn is_known_function(name: &str) -> bool {
 pub fn known_functions() -> String {
     let of_table = Function::ALL.map(|function| function.properties().maxima).join(", ");
     let composed = COMPOSED.map(|name| format!("{name}(x)")).join(", ");
-    format!("{of_table}, {composed}, max(x, y, ..), min(x, y, ..)")
+    format!("{of_table}, {composed}, atan2(y, x), max(x, y, ..), min(x, y, ..)")
 }
 
 /// What is said before the name of a function that is not known.
@@ -273,6 +273,7 @@ fn call(ast: &Ast) -> Result<Expr, LowerError> {
             let items = arguments.iter().map(lower).collect::<Result<_, _>>()?;
             Ok(Expr::Extreme { largest: name == "max", items })
         }
+        ("atan2", [y, x]) => Ok(atan2(lower(y)?, lower(x)?)),
         ("positive_root", [polynomial, unknown]) => match unknown.as_symbol() {
             Some(unknown) => {
                 Ok(Expr::PositiveRoot { polynomial: Box::new(lower(polynomial)?), unknown: unknown.to_owned() })
@@ -296,7 +297,7 @@ fn call(ast: &Ast) -> Result<Expr, LowerError> {
 }
 
 /// The functions that are made of others.
-const COMPOSED: [&str; 9] = ["sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "cot", "sec", "csc"];
+const COMPOSED: [&str; 10] = ["sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "cot", "sec", "csc", "signum"];
 
 /// One of the [composed](COMPOSED) functions of an expression.
 fn composed(name: &str, x: Expr) -> Option<Expr> {
@@ -321,6 +322,7 @@ fn composed(name: &str, x: Expr) -> Option<Expr> {
         "cot" => call(Function::Cos, x.clone()).over(call(Function::Sin, x)),
         "sec" => one().over(call(Function::Cos, x)),
         "csc" => one().over(call(Function::Sin, x)),
+        "signum" => signum(x),
         _ => return None,
     })
 }

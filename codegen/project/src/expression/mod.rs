@@ -1,5 +1,6 @@
 //! Exact expressions: what a reference expression means, free of Maxima's syntax and of any float.
 
+mod choice;
 mod lower;
 
 pub use lower::{
@@ -7,7 +8,7 @@ pub use lower::{
     known_functions, lower, lower_errors, remedy_of_constant, remedy_of_function,
 };
 
-use closedform_maxima::parse_expression;
+use closedform_maxima::{Relation, parse_expression};
 use closedform_syntax::Function;
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -37,6 +38,8 @@ pub enum Expr {
         /// The values.
         items: Vec<Expr>,
     },
+    /// The first of two values where a condition holds, else the second.
+    Choice(Test, Box<[Expr; 2]>),
     /// The one positive root of a polynomial in `unknown`.
     PositiveRoot {
         /// The polynomial, as an expression.
@@ -44,6 +47,40 @@ pub enum Expr {
         /// Its unknown.
         unknown: String,
     },
+}
+
+/// A condition of a choice.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Test {
+    /// The first compares so with the second.
+    Compare(Relation, Box<[Expr; 2]>),
+    /// Both hold.
+    And(Box<[Test; 2]>),
+    /// One holds at least.
+    Or(Box<[Test; 2]>),
+    /// It does not hold.
+    Not(Box<Test>),
+}
+
+impl Test {
+    /// The expressions that are compared, in order.
+    fn compared(&self) -> Vec<&Expr> {
+        match self {
+            Self::Compare(_, sides) => sides.iter().collect(),
+            Self::And(parts) | Self::Or(parts) => parts.iter().flat_map(Self::compared).collect(),
+            Self::Not(part) => part.compared(),
+        }
+    }
+
+    /// The same condition on what `change` makes of the expressions that are compared.
+    fn map(&self, change: &mut dyn FnMut(&Expr) -> Expr) -> Self {
+        match self {
+            Self::Compare(relation, sides) => Self::Compare(*relation, Box::new(sides.each_ref().map(change))),
+            Self::And(parts) => Self::And(Box::new(parts.each_ref().map(|part| part.map(change)))),
+            Self::Or(parts) => Self::Or(Box::new(parts.each_ref().map(|part| part.map(change)))),
+            Self::Not(part) => Self::Not(Box::new(part.map(change))),
+        }
+    }
 }
 
 impl Expr {
@@ -98,15 +135,14 @@ impl Expr {
         Self::Call(function, Box::new(argument))
     }
 
-    /// The expressions directly inside, in order.
+    /// The expressions directly inside, in order; of a choice those that are compared come first.
     #[must_use]
-    pub fn children(&self) -> &[Expr] {
+    pub fn children(&self) -> Vec<&Expr> {
         match self {
-            Self::Rational(_) | Self::Pi | Self::Symbol(_) => &[],
-            Self::Sum(items) | Self::Product(items) | Self::Extreme { items, .. } => items,
-            Self::Power(inner, _) | Self::Call(_, inner) | Self::PositiveRoot { polynomial: inner, .. } => {
-                std::slice::from_ref(&**inner)
-            }
+            Self::Rational(_) | Self::Pi | Self::Symbol(_) => Vec::new(),
+            Self::Sum(items) | Self::Product(items) | Self::Extreme { items, .. } => items.iter().collect(),
+            Self::Choice(test, values) => test.compared().into_iter().chain(values.iter()).collect(),
+            Self::Power(inner, _) | Self::Call(_, inner) | Self::PositiveRoot { polynomial: inner, .. } => vec![inner],
         }
     }
 
@@ -123,6 +159,7 @@ impl Expr {
             }
             Self::Sum(items) => Self::Sum(items.iter().map(change).collect()),
             Self::Product(items) => Self::Product(items.iter().map(change).collect()),
+            Self::Choice(test, values) => Self::Choice(test.map(change), Box::new(values.each_ref().map(change))),
             Self::Extreme { largest, items } => {
                 Self::Extreme { largest: *largest, items: items.iter().map(change).collect() }
             }
@@ -155,7 +192,7 @@ impl Expr {
     #[must_use]
     pub fn has_power_of_sum(&self) -> bool {
         let is_one = matches!(self, Self::Power(base, _) if matches!(**base, Self::Sum(_)));
-        is_one || self.children().iter().any(Self::has_power_of_sum)
+        is_one || self.children().into_iter().any(Self::has_power_of_sum)
     }
 
     /// The derivative by a variable; `None` where a function without one, a choice or a polynomial root depends on it.
@@ -178,7 +215,7 @@ impl Expr {
                 let outer = derivative_of_function(*function)?.with_symbols(&[("x", argument), ("y", self)]);
                 Some(argument.derivative(by)?.times(outer))
             }
-            Self::Extreme { .. } | Self::PositiveRoot { .. } => None,
+            Self::Extreme { .. } | Self::Choice(..) | Self::PositiveRoot { .. } => None,
         }
     }
 

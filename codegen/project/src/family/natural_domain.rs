@@ -4,9 +4,11 @@ mod cubes;
 mod number;
 mod surds;
 
+use closedform_maxima::ast::Branch;
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator, print};
 use num_bigint::BigInt;
 use num_traits::Signed;
+use std::cmp::Ordering;
 
 use super::super::domain::Condition;
 use crate::construct::{binary, compared, integer, joined, squared};
@@ -31,7 +33,7 @@ pub(super) fn left_open(body: &Expr, parameters: &[String]) -> Vec<String> {
 fn all(body: &Expr, parameters: &[String]) -> impl Iterator<Item = (String, Option<Condition>)> {
     let mut needs = Needs::default();
     needs.collect(body);
-    needs.0.into_iter().filter_map(|(text, clauses)| {
+    needs.found.into_iter().filter_map(|(text, clauses)| {
         let clauses = clauses.into_iter().filter_map(|clause| joined(BinaryOperator::And, clause));
         let condition = Condition::read(&joined(BinaryOperator::Or, clauses)?, parameters).ok();
         Some((text, condition))
@@ -40,7 +42,11 @@ fn all(body: &Expr, parameters: &[String]) -> impl Iterator<Item = (String, Opti
 
 /// Conditions in the order in which they were met, each as people read it and as clauses of which one must hold.
 #[derive(Default)]
-struct Needs(Vec<(String, Vec<Clause>)>);
+struct Needs {
+    found: Vec<(String, Vec<Clause>)>,
+    /// What holds on the sides of `if` around the current place.
+    guards: Vec<Expr>,
+}
 
 impl Needs {
     /// That the expression compares so with zero, unless it says nothing because no input occurs in it.
@@ -54,10 +60,26 @@ impl Needs {
                 vec![vec![compared(relation, decided, integer(0))]]
             }
         };
+        // nothing is needed where another side of an `if` is taken
+        let clauses: Vec<Clause> = self.guards.iter().map(|guard| vec![fails(guard)]).chain(clauses).collect();
         let text = text_of(&clauses);
-        if has_input(expr) && self.0.iter().all(|(known, _)| *known != text) {
-            self.0.push((text, clauses));
+        if has_input(expr) && !is_certain(&clauses) && self.found.iter().all(|(known, _)| *known != text) {
+            self.found.push((text, clauses));
         }
+    }
+
+    /// The sides of an `if`, each where it is taken; a condition is reached where those before it fail.
+    fn choice(&mut self, branches: &[Branch], otherwise: Option<&Expr>) {
+        let outer = self.guards.len();
+        for Branch { condition, value } in branches {
+            self.collect(condition);
+            self.guards.push(condition.clone());
+            self.collect(value);
+            self.guards.pop();
+            self.guards.push(fails(condition));
+        }
+        otherwise.iter().for_each(|value| self.collect(value));
+        self.guards.truncate(outer);
     }
 
     fn collect(&mut self, expr: &Expr) {
@@ -72,6 +94,7 @@ impl Needs {
                     _ => {}
                 }
             }
+            ExprKind::If { branches, otherwise } => self.choice(branches, otherwise.as_deref()),
             ExprKind::Call { arguments, .. } => match expr.as_call() {
                 Some(("sqrt", [radicand])) => {
                     self.collect(radicand);
@@ -93,6 +116,12 @@ impl Needs {
                     self.collect(argument);
                     let rest = binary(BinaryOperator::Subtract, argument.clone(), integer(1));
                     self.condition(&rest, Relation::GreaterOrEqual);
+                }
+                // the origin has no angle
+                Some(("atan2", [y, x])) => {
+                    arguments.iter().for_each(|argument| self.collect(argument));
+                    let sum = binary(BinaryOperator::Add, squared(x.clone()), squared(y.clone()));
+                    self.condition(&sum, Relation::Greater);
                 }
                 // the unknown of a polynomial root is no input
                 Some(("positive_root", _)) => {}
@@ -142,6 +171,38 @@ impl Needs {
     }
 }
 
+/// The condition that holds where this one fails.
+fn fails(condition: &Expr) -> Expr {
+    match &condition.kind {
+        ExprKind::Unary { operator: UnaryOperator::Not, operand } => (**operand).clone(),
+        ExprKind::Binary { operator: BinaryOperator::Compare(relation), left, right } => {
+            compared(relation.negated(), (**left).clone(), (**right).clone())
+        }
+        _ => {
+            let operand = Box::new(condition.clone());
+            Expr::new(ExprKind::Unary { operator: UnaryOperator::Not, operand }, condition.span.clone())
+        }
+    }
+}
+
+/// Whether comparisons of the same two sides hold in every order of them.
+fn is_certain(clauses: &[Clause]) -> bool {
+    let single = |clause: &Clause| match clause.as_slice() {
+        [Expr { kind: ExprKind::Binary { operator: BinaryOperator::Compare(relation), left, right }, .. }] => {
+            Some((*relation, print(left), print(right)))
+        }
+        _ => None,
+    };
+    let singles: Vec<_> = clauses.iter().filter_map(single).collect();
+    singles.iter().any(|(_, left, right)| {
+        let same = singles.iter().filter(|(_, a, b)| a == left && b == right);
+        let relations: Vec<Relation> = same.map(|(relation, ..)| *relation).collect();
+        [Ordering::Less, Ordering::Equal, Ordering::Greater]
+            .into_iter()
+            .all(|order| relations.iter().any(|relation| relation.holds(order)))
+    })
+}
+
 fn text_of(clauses: &[Clause]) -> String {
     let clause = |clause: &Clause| clause.iter().map(comparison_text).collect::<Vec<_>>().join(" and ");
     clauses.iter().map(clause).collect::<Vec<_>>().join(" or ")
@@ -177,6 +238,11 @@ fn has_input(expr: &Expr) -> bool {
         ExprKind::Unary { operand, .. } => has_input(operand),
         ExprKind::Binary { left, right, .. } => has_input(left) || has_input(right),
         ExprKind::Call { arguments, .. } => arguments.iter().any(has_input),
+        ExprKind::If { branches, otherwise } => {
+            let sides =
+                branches.iter().flat_map(|branch| [&branch.condition, &branch.value]).chain(otherwise.as_deref());
+            sides.into_iter().any(has_input)
+        }
         _ => false,
     }
 }
@@ -210,8 +276,19 @@ mod tests {
         assert_eq!(texts("a/sqrt(sqrt(b))", &["a", "b"]), ["b >= 0", "b > 0"]);
         assert_eq!(texts("a/sqrt(abs(b))", &["a", "b"]), ["b # 0"]);
         assert_eq!(texts("a/%pi+a^2", &["a"]), [""; 0]);
+        assert_eq!(texts("atan2(a,b/a)", &["a", "b"]), ["a # 0", "(b/a)^2+a^2 > 0"]);
         assert_eq!(texts("(a/b)^(2/3)-a^(1/3)", &["a", "b"]), ["b # 0"]);
         assert_eq!(texts("a^(-1/3)+sqrt((a-b)^(1/3))", &["a", "b"]), ["a # 0", "a-b >= 0"]);
+    }
+
+    #[test]
+    fn a_side_of_an_if_needs_something_only_where_it_is_taken() {
+        assert_eq!(texts("if x > 0 then sqrt(x) else 1/x", &["x"]), ["x > 0 or x # 0"]);
+        assert_eq!(
+            texts("if x > 0 and y > 1 then 1/y elseif y < x then sqrt(x) else 0", &["x", "y"]),
+            ["not (x>0 and y>1) or y # 0", "x>0 and y>1 or y >= x or x >= 0"]
+        );
+        assert_eq!(texts("if 1/x > 0 then x else y", &["x", "y"]), ["x # 0"]);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use closedform_maxima::ast::Branch;
 use closedform_maxima::{BinaryOperator, Definition, Expr, ExprKind, UnaryOperator, definitions};
 use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
@@ -243,8 +244,31 @@ impl<'a> Body<'a> {
                 self.expression(right);
             }
             ExprKind::Call { .. } => self.call(expression),
-            ExprKind::If { .. } => {}
+            ExprKind::If { branches, otherwise } => {
+                for Branch { condition, value } in branches {
+                    self.condition(condition);
+                    self.expression(value);
+                }
+                otherwise.iter().for_each(|value| self.expression(value));
+            }
             _ => self.not_arithmetic(expression),
+        }
+    }
+
+    /// A condition of an `if`.
+    fn condition(&mut self, condition: &'a Expr) {
+        match &condition.kind {
+            ExprKind::Unary { operator: UnaryOperator::Not, operand } => self.condition(operand),
+            ExprKind::Binary { operator: BinaryOperator::And | BinaryOperator::Or, left, right } => {
+                self.condition(left);
+                self.condition(right);
+            }
+            ExprKind::Binary { operator: BinaryOperator::Compare(_), left, right } => {
+                self.expression(left);
+                self.expression(right);
+            }
+            // what is no comparison is refused with the whole
+            _ => {}
         }
     }
 
@@ -264,6 +288,7 @@ impl<'a> Body<'a> {
         match expression.as_call() {
             Some((name, [argument])) if is_function_of_one(name) => self.expression(argument),
             Some(("max" | "min", items @ [_, _, ..])) => items.iter().for_each(|item| self.expression(item)),
+            Some(("atan2", [y, x])) => [y, x].into_iter().for_each(|item| self.expression(item)),
             Some(("positive_root", [polynomial, variable])) => self.root(polynomial, variable),
             Some((name, _)) => {
                 let (worksheet, name) = (self.definition.name.clone(), name.to_owned());

@@ -134,10 +134,7 @@ fn strangers_that_are_no_closed_forms_are_pointed_at() {
     has(&stranger("f(x):=f(x)$").unwrap_err(), &["f -> f"]);
     has(&stranger("f(x):=g(x,1)$ g(x):=x$").unwrap_err(), &["`g` takes 1 arguments, but is called with 2"]);
     has(&stranger("f(x,x):=x$").unwrap_err(), &["the parameter `x` twice"]);
-    has(
-        &stranger("f(x):=if x>0 then 1 else 2$").unwrap_err(),
-        &["an `if`", "branches are not known yet", "one function for each case"],
-    );
+    has(&stranger("f(x):=x+(if x>0 then 1)$").unwrap_err(), &["an `if` without `else`", "write `else` and a value"]);
 }
 
 #[test]
@@ -261,7 +258,7 @@ fn cores_become_kernels_with_their_preconditions() {
 
 #[test]
 fn what_no_kernel_can_be_made_of_is_named_in_its_file() {
-    let cores = "(FPCore f (x)\n  (+ 1 (erfc x)))\n(FPCore g (x)\n :pre (< (sqrt x) 2) x)\n(FPCore h (x)\n (if (< x 1) x 2))\n\
+    let cores = "(FPCore f (x)\n  (+ 1 (erfc x)))\n(FPCore g (x)\n :pre (< (sqrt x) 2) x)\n(FPCore h (x)\n (if (+ x 1) x 2))\n\
                  (FPCore fine (x) x)\n(FPCore i (x) (while x))\n";
     let folder = folder(&[("my.fpcore", cores)]);
     let Sheet { family, error, summary } = Family::sheet(&folder.path().join("my.fpcore")).unwrap();
@@ -276,8 +273,8 @@ fn what_no_kernel_can_be_made_of_is_named_in_its_file() {
             "my.fpcore:2:8",
             "`g`: a side of the domain condition is not a rational function",
             "my.fpcore:4:10",
-            "`h`: an `if` has no place",
-            "my.fpcore:6:2",
+            "`h`: such a condition has no place",
+            "my.fpcore:6:6",
             "`while` is no formula",
             "my.fpcore:8:15",
         ],

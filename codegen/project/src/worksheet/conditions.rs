@@ -8,6 +8,7 @@ use closedform_maxima::{Expr, ExprKind};
 use super::evaluate::Evaluator;
 use super::numbers;
 use super::state::{Evaluated, Refusal, Stop};
+use super::statements::comparison;
 use super::tree::symbol;
 
 impl Evaluator {
@@ -30,7 +31,7 @@ impl Evaluator {
                 }
                 None => {
                     let value = self.under_condition(value, span)?;
-                    kept.push(Branch { condition, value });
+                    kept.push(Branch { condition: comparison(&condition), value });
                 }
             }
         }
