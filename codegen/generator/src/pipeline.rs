@@ -129,14 +129,15 @@ pub fn kernels_refused(causes: &[PipelineError]) -> usize {
     causes.iter().filter_map(PipelineError::kernel).collect::<BTreeSet<_>>().len()
 }
 
-/// Generates all families; `progress` is told the name of every kernel before it is made.
+/// Generates all families; `progress` is told the name and the place of every kernel before it is made, and before it is
+/// proved.
 ///
 /// # Errors
 /// Every kernel that cannot be made or is not proved.
 pub fn generate(
     algebra: Algebra,
     families: &[Family],
-    mut progress: impl FnMut(&str),
+    mut progress: impl FnMut(&str, &str),
 ) -> Result<Generated, Vec<PipelineError>> {
     let mut generated = Generated::default();
     let mut causes = Vec::new();
@@ -155,7 +156,7 @@ pub fn generate(
 pub fn generate_what_can_be(
     algebra: Algebra,
     families: &[Family],
-    mut progress: impl FnMut(&str),
+    mut progress: impl FnMut(&str, &str),
 ) -> Result<Generated, Vec<PipelineError>> {
     let mut generated = Generated::default();
     let mut causes = Vec::new();
@@ -167,7 +168,7 @@ pub fn generate_what_can_be(
             made.kernels.retain(|kernel| left.contract.kernels.iter().any(|fine| fine.name == kernel.name));
             causes.append(&mut made.refused);
             made.text = module_text(&left, &made.kernels);
-            made.refused = unproved(algebra, &left, &made.text);
+            made.refused = unproved(algebra, &left, &made.text, &mut progress);
         }
         causes.append(&mut made.refused);
         if !made.kernels.is_empty() {
@@ -200,13 +201,13 @@ struct Attempt {
     refused: Vec<PipelineError>,
 }
 
-fn attempt(algebra: Algebra, family: &Family, progress: &mut impl FnMut(&str)) -> Attempt {
+fn attempt(algebra: Algebra, family: &Family, progress: &mut impl FnMut(&str, &str)) -> Attempt {
     let (mut kernels, mut unmade) = make_kernels(algebra, family, progress);
     let mut text = module_text(family, &kernels);
-    let mut open = unproved(algebra, family, &text);
+    let mut open = unproved(algebra, family, &text, &mut *progress);
     if take_as_written(family, &open, &mut kernels, &mut unmade) {
         text = module_text(family, &kernels);
-        open = unproved(algebra, family, &text);
+        open = unproved(algebra, family, &text, &mut *progress);
     }
     // a kernel that is not made is missing, but for another reason
     let missing = |cause: &PipelineError| !unmade.is_empty() && matches!(cause, PipelineError::Missing(_));
@@ -224,7 +225,7 @@ fn add(generated: &mut Generated, family: &Family, kernels: &[KernelText], text:
 fn make_kernels(
     algebra: Algebra,
     family: &Family,
-    progress: &mut impl FnMut(&str),
+    progress: &mut impl FnMut(&str, &str),
 ) -> (Vec<KernelText>, Vec<PipelineError>) {
     let (mut kernels, mut causes) = (Vec::new(), Vec::new());
     let golden = golden(family).unwrap_or_else(|cause| {
@@ -233,7 +234,7 @@ fn make_kernels(
     });
     for kernel in &family.contract.kernels {
         let name = format!("{}::{}", family.name, kernel.name);
-        progress(&name);
+        progress(&name, family.place(&kernel.name));
         match make_kernel(algebra, family, kernel, &golden, name) {
             Ok(made) => kernels.push(made),
             Err(cause) => causes.push(cause),
@@ -346,8 +347,13 @@ fn made_from(family: &Family) -> String {
 }
 
 /// The kernels of a family's generated text that are not proved equal to its reference expressions, or whose bounds are
-/// not what their text proves; or why the text does not read back.
-pub fn unproved(algebra: Algebra, family: &Family, text: &str) -> Vec<PipelineError> {
+/// not what their text proves; or why the text does not read back. `progress` is told as by [`generate`].
+pub fn unproved(
+    algebra: Algebra,
+    family: &Family,
+    text: &str,
+    mut progress: impl FnMut(&str, &str),
+) -> Vec<PipelineError> {
     let sources = match closedform_syntax::parse_file(text) {
         Ok(sources) => sources,
         Err(cause) => return vec![PipelineError::Unreadable { family: family.name.clone(), cause }],
@@ -358,6 +364,7 @@ pub fn unproved(algebra: Algebra, family: &Family, text: &str) -> Vec<PipelineEr
         match sources.iter().find(|source| source.name == kernel.name) {
             None => causes.push(PipelineError::Missing(name)),
             Some(source) => {
+                progress(&name, family.place(&kernel.name));
                 let proof = prove(algebra, source, &family.completed(kernel), &references_of(family, kernel));
                 let bound = certified_bound_proof(source);
                 let place = || family.place(&kernel.name).to_owned();

@@ -33,7 +33,7 @@ fn open(project: &Project, family: &Family) -> miette::Result<Vec<PipelineError>
     let path = project.generated().join(format!("{}.rs", family.name));
     let text = std::fs::read_to_string(&path).into_diagnostic();
     let text = text.wrap_err_with(|| format!("cannot read {}", project.shown(&path)))?;
-    Ok(unproved(ALGEBRA, family, &text))
+    Ok(unproved(ALGEBRA, family, &text, |_, _| ()))
 }
 
 fn text(kernels: usize, left: &[String]) -> String {

@@ -27,7 +27,7 @@ fn made(domain: &str, formula: &str) -> (Family, String) {
     std::fs::write(folder.path().join("made.toml"), contract).unwrap();
     std::fs::write(folder.path().join("made.mac"), format!("f(x,y):={formula}$\n")).unwrap();
     let family = Family::from_worksheet(&folder.path().join("made.mac")).unwrap();
-    let mut generated = generate(ALGEBRA, std::slice::from_ref(&family), |_| ()).unwrap();
+    let mut generated = generate(ALGEBRA, std::slice::from_ref(&family), |_, _| ()).unwrap();
     (family, generated.files.remove("made.rs").unwrap())
 }
 
