@@ -139,13 +139,7 @@ pub fn generate(
     families: &[Family],
     mut progress: impl FnMut(&str, &str),
 ) -> Result<Generated, Vec<PipelineError>> {
-    let mut generated = Generated::default();
-    let mut causes = Vec::new();
-    for family in families {
-        let Attempt { kernels, text, refused } = attempt(algebra, family, &mut progress);
-        causes.extend(refused);
-        add(&mut generated, family, &kernels, text);
-    }
+    let (generated, causes) = each(families, |family| attempt(algebra, family, &mut progress));
     if causes.is_empty() { Ok(generated) } else { Err(causes) }
 }
 
@@ -158,28 +152,50 @@ pub fn generate_what_can_be(
     families: &[Family],
     mut progress: impl FnMut(&str, &str),
 ) -> Result<Generated, Vec<PipelineError>> {
-    let mut generated = Generated::default();
-    let mut causes = Vec::new();
-    for family in families {
-        let mut left = family.clone();
-        let mut made = attempt(algebra, &left, &mut progress);
-        while !made.refused.is_empty() && !made.kernels.is_empty() {
-            left = left.without(&refused_names(family, &made.refused));
-            made.kernels.retain(|kernel| left.contract.kernels.iter().any(|fine| fine.name == kernel.name));
-            causes.append(&mut made.refused);
-            made.text = module_text(&left, &made.kernels);
-            made.refused = unproved(algebra, &left, &made.text, &mut progress);
-        }
-        causes.append(&mut made.refused);
-        if !made.kernels.is_empty() {
-            add(&mut generated, &left, &made.kernels, made.text);
-        }
-    }
+    let (mut generated, causes) = each(families, |family| {
+        let made = attempt(algebra, family, &mut progress);
+        what_is_proved(algebra, family, made, &mut progress)
+    });
     if generated.kernels.is_empty() {
         return Err(causes);
     }
     generated.refused = causes.iter().map(refusal).collect();
     Ok(generated)
+}
+
+/// What attempts make of families, one after another, and all that they refuse. A family of which nothing is left has no
+/// file.
+fn each(families: &[Family], mut attempt: impl FnMut(&Family) -> Attempt) -> (Generated, Vec<PipelineError>) {
+    let (mut generated, mut causes) = (Generated::default(), Vec::new());
+    for family in families {
+        let Attempt { kernels, text, refused } = attempt(family);
+        if !kernels.is_empty() || refused.is_empty() {
+            generated.kernels.extend(kernels.iter().map(|kernel| made(family, kernel)));
+            generated.files.insert(format!("{}.rs", family.name), text);
+        }
+        causes.extend(refused);
+    }
+    (generated, causes)
+}
+
+/// The same without the kernels that are refused, proved once more where others are left.
+fn what_is_proved(
+    algebra: Algebra,
+    family: &Family,
+    mut made: Attempt,
+    progress: &mut impl FnMut(&str, &str),
+) -> Attempt {
+    let mut left = family.clone();
+    let mut causes = Vec::new();
+    while !made.refused.is_empty() && !made.kernels.is_empty() {
+        left = left.without(&refused_names(family, &made.refused));
+        made.kernels.retain(|kernel| left.contract.kernels.iter().any(|fine| fine.name == kernel.name));
+        causes.append(&mut made.refused);
+        made.text = module_text(&left, &made.kernels);
+        made.refused = unproved(algebra, &left, &made.text, &mut *progress);
+    }
+    causes.append(&mut made.refused);
+    Attempt { refused: causes, ..made }
 }
 
 /// The kernels that these causes are about; all of the family where one names none.
@@ -214,11 +230,6 @@ fn attempt(algebra: Algebra, family: &Family, progress: &mut impl FnMut(&str, &s
     let mut refused: Vec<PipelineError> = open.into_iter().filter(|cause| !missing(cause)).collect();
     refused.extend(unmade);
     Attempt { kernels, text, refused }
-}
-
-fn add(generated: &mut Generated, family: &Family, kernels: &[KernelText], text: String) {
-    generated.kernels.extend(kernels.iter().map(|kernel| made(family, kernel)));
-    generated.files.insert(format!("{}.rs", family.name), text);
 }
 
 /// The kernels of a family that can be made, and why the others cannot.
