@@ -155,6 +155,14 @@ pub fn run(source: &Source, limits: &Limits) -> Result<Generated, WorkerError> {
     made_of(source, source.check()?, limits)
 }
 
+/// As [`run`], of a source that is known to be right: it is not read before it is our turn.
+///
+/// # Errors
+/// As of [`run`].
+pub fn run_checked(source: &Source, limits: &Limits) -> Result<Generated, WorkerError> {
+    made(source, limits)
+}
+
 /// As [`run`], of a worksheet, of which every formula and statement that is passed over is named; with `strict` nothing
 /// may be passed over.
 ///
