@@ -17,7 +17,7 @@ pub const RULES: u32 = 1;
 
 /// The certificate of a kernel's stated bounds, to be handed out to proved ones only.
 pub fn certificate(kernel: &Kernel) -> String {
-    format!("{RULES}-{:016x}", hash(&canonical(kernel)))
+    format!("{RULES}-{:016x}", fnv_1a(&canonical(kernel)))
 }
 
 /// That a kernel which states bounds carries their certificate.
@@ -72,7 +72,8 @@ fn canonical(kernel: &Kernel) -> String {
 }
 
 /// FNV-1a in 64 bits.
-fn hash(text: &str) -> u64 {
+#[must_use]
+pub fn fnv_1a(text: &str) -> u64 {
     text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
@@ -83,8 +84,8 @@ mod tests {
     /// The published values of the hash.
     #[test]
     fn the_hash_is_fnv_1a() {
-        assert_eq!(hash(""), 0xcbf2_9ce4_8422_2325);
-        assert_eq!(hash("a"), 0xaf63_dc4c_8601_ec8c);
-        assert_eq!(hash("foobar"), 0x8594_4171_f739_67e8);
+        assert_eq!(fnv_1a(""), 0xcbf2_9ce4_8422_2325);
+        assert_eq!(fnv_1a("a"), 0xaf63_dc4c_8601_ec8c);
+        assert_eq!(fnv_1a("foobar"), 0x8594_4171_f739_67e8);
     }
 }

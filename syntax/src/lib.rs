@@ -37,7 +37,7 @@ mod walk;
 pub use closedform_arith::function::Domain as FunctionDomain;
 pub use closedform_arith::{Function, Operations, Precision, Relation};
 
-pub use certificate::{RULES, certificate, certified};
+pub use certificate::{RULES, certificate, certified, fnv_1a};
 pub use compensated::{Extended, Operand, Operation, Part};
 pub use file::{Source, parse_file, sources};
 pub use interpret::{Violation, evaluate, violated};

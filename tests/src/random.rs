@@ -20,11 +20,7 @@ pub struct Random(closedform_project::sample::Random);
 impl Random {
     /// Numbers that depend on `seed` and on `purpose`, so that kernels and makers do not share theirs.
     pub fn new(seed: u64, purpose: &str) -> Self {
-        // FNV-1a
-        let hash = purpose
-            .bytes()
-            .fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3));
-        Random(closedform_project::sample::Random::new(hash ^ seed))
+        Random(closedform_project::sample::Random::new(closedform_syntax::fnv_1a(purpose) ^ seed))
     }
 
     /// 64 random bits.

@@ -1,5 +1,6 @@
 //! Why kernels cannot be bound.
 
+use closedform_project::WriteError;
 use miette::Diagnostic;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -42,12 +43,7 @@ pub enum BindError {
     #[diagnostic(help("name another folder with --out, or move the file away"))]
     Foreign(PathBuf),
     /// The files cannot be written.
-    #[error("cannot write {}: {cause}", path.display())]
-    #[diagnostic(help("make room and get the right to write there"))]
-    Write {
-        /// Which.
-        path: PathBuf,
-        /// Why not.
-        cause: std::io::Error,
-    },
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Write(#[from] WriteError),
 }

@@ -11,7 +11,7 @@
 mod fresh;
 mod stamp;
 
-pub use fresh::{Cause, MARK, Origin, Stale, WORKSHEETS, inputs, stale, worksheet, worksheet_of};
+pub use fresh::{Cause, MARK, Origin, Stale, WORKSHEETS, inputs, is_marked, stale, worksheet, worksheet_of};
 pub use stamp::{Stamp, VERSION, hash, stamped};
 
 use std::path::Path;

@@ -45,7 +45,7 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     } else {
         errata::check_list(&project.worksheets)?;
     }
-    fresh::check(project)?;
+    let families = fresh::check(project)?;
     let catalogue = Catalogue::load(&project.generated())?;
     bounded(&catalogue)?;
     recorded(project, &catalogue)?;
@@ -57,7 +57,7 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
         output::tell(&format!(
             "fresh: {generated} is as it was generated, of references as they are; bounds proved\n"
         ))?;
-        output::tell(&equal::check(project)?)?;
+        output::tell(&equal::check(project, &families)?)?;
     }
     if args.prove && args.maxima {
         live::prove(project, &options)?;

@@ -162,8 +162,7 @@ fn own_crate(args: &Args, input: &Path, out: &Path, project: &Project) -> miette
 }
 
 fn write(target: &Path, files: &BTreeMap<String, String>) -> miette::Result<usize> {
-    let foreign = |path: &PathBuf| std::fs::read_to_string(path).is_ok_and(|text| !folder::is_generated(&text));
-    if let Some(path) = files.keys().map(|name| target.join(name)).find(foreign) {
+    if let Some(path) = folder::foreign(files.keys().map(|name| target.join(name)), closedform_build::MARK)? {
         bail!(
             help =
                 "a file without the mark of this command is never touched: rename it, or delete it if it is not needed",

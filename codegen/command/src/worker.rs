@@ -9,7 +9,7 @@ mod attempt;
 use crate::program::{GENERATOR, ProgramError};
 use attempt::{Ending, attempt};
 use closedform_project::family::{Family, FamilyError, Sheet, WorksheetError, families};
-use closedform_project::generated::{Generated, Refused, would_be_fine};
+use closedform_project::generated::{Begun, Generated, Refused, would_be_fine};
 use closedform_project::layout::Limits;
 use closedform_project::maxima_process::Maxima;
 use closedform_system::limit::{KERNEL, LimitError, WAIT};
@@ -17,6 +17,7 @@ use closedform_system::output::{note, warn};
 use closedform_system::turn::{Patience, Turn, TurnError};
 use miette::{Diagnostic, Report};
 use std::collections::BTreeSet;
+use std::fmt::{self, Display, Formatter};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitStatus;
@@ -86,27 +87,27 @@ pub enum WorkerError {
         seconds: u64,
     },
     /// It was ended by a signal, or by a panic.
-    #[error("the algebra crashed ({status}) while it made `{what}`: nothing was generated")]
+    #[error("{begun}the algebra crashed ({status}): nothing was generated")]
     #[diagnostic(help(
         "this is a mistake of the generator, or the machine lacks memory: what was said last stands above. Split the \
          formula into smaller ones, and please report it together with its worksheet and contract"
     ))]
     Crashed {
-        /// What it made.
-        what: String,
+        /// What it worked at.
+        begun: Last,
         /// How it ended.
         status: ExitStatus,
     },
     /// It took too long.
-    #[error("`{what}` was not made in {limit} s of processor time: nothing was generated")]
+    #[error("{begun}not made in {limit} s of processor time: nothing was generated")]
     #[diagnostic(help(
         "split the formula into smaller ones or say more of its signs in a contract's `domain`; {} sets how many seconds \
          one kernel may take",
         KERNEL.setting()
     ))]
     OutOfTime {
-        /// What it made.
-        what: String,
+        /// What it worked at.
+        begun: Last,
         /// How long it could take.
         limit: u64,
     },
@@ -128,6 +129,21 @@ pub enum WorkerError {
     Program(#[from] ProgramError),
 }
 
+/// What the worker began last, if it came to that.
+#[derive(Debug)]
+pub struct Last(Option<Begun>);
+
+impl Display for Last {
+    /// As it stands before what became of it.
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        match &self.0 {
+            Some(Begun { what, place }) if place.is_empty() => write!(f, "`{what}`: "),
+            Some(Begun { what, place }) => write!(f, "{place}: `{what}`: "),
+            None => f.write_str("before the first kernel: "),
+        }
+    }
+}
+
 /// How long to leave Symbolica to others before another attempt.
 const PAUSE: Duration = Duration::from_secs(1);
 
@@ -137,6 +153,14 @@ const PAUSE: Duration = Duration::from_secs(1);
 /// When the source is wrong, it is not our turn in time, or that process fails; it has then said why on standard error.
 pub fn run(source: &Source, limits: &Limits) -> Result<Generated, WorkerError> {
     made_of(source, source.check()?, limits)
+}
+
+/// As [`run`], of a source that is known to be right: it is not read before it is our turn.
+///
+/// # Errors
+/// As of [`run`].
+pub fn run_checked(source: &Source, limits: &Limits) -> Result<Generated, WorkerError> {
+    made(source, limits)
 }
 
 /// As [`run`], of a worksheet, of which every formula and statement that is passed over is named; with `strict` nothing
@@ -216,7 +240,7 @@ impl WorkerError {
     /// The kernel that stopped the generator, if one did.
     fn about(&self) -> Option<&str> {
         match self {
-            Self::Crashed { what, .. } | Self::OutOfTime { what, .. } => Some(what),
+            Self::Crashed { begun, .. } | Self::OutOfTime { begun, .. } => Some(&begun.0.as_ref()?.what),
             _ => None,
         }
     }

@@ -129,22 +129,17 @@ pub fn kernels_refused(causes: &[PipelineError]) -> usize {
     causes.iter().filter_map(PipelineError::kernel).collect::<BTreeSet<_>>().len()
 }
 
-/// Generates all families; `progress` is told the name of every kernel before it is made.
+/// Generates all families; `progress` is told the name and the place of every kernel before it is made, and before it is
+/// proved.
 ///
 /// # Errors
 /// Every kernel that cannot be made or is not proved.
 pub fn generate(
     algebra: Algebra,
     families: &[Family],
-    mut progress: impl FnMut(&str),
+    mut progress: impl FnMut(&str, &str),
 ) -> Result<Generated, Vec<PipelineError>> {
-    let mut generated = Generated::default();
-    let mut causes = Vec::new();
-    for family in families {
-        let Attempt { kernels, text, refused } = attempt(algebra, family, &mut progress);
-        causes.extend(refused);
-        add(&mut generated, family, &kernels, text);
-    }
+    let (generated, causes) = each(families, |family| attempt(algebra, family, &mut progress));
     if causes.is_empty() { Ok(generated) } else { Err(causes) }
 }
 
@@ -155,30 +150,52 @@ pub fn generate(
 pub fn generate_what_can_be(
     algebra: Algebra,
     families: &[Family],
-    mut progress: impl FnMut(&str),
+    mut progress: impl FnMut(&str, &str),
 ) -> Result<Generated, Vec<PipelineError>> {
-    let mut generated = Generated::default();
-    let mut causes = Vec::new();
-    for family in families {
-        let mut left = family.clone();
-        let mut made = attempt(algebra, &left, &mut progress);
-        while !made.refused.is_empty() && !made.kernels.is_empty() {
-            left = left.without(&refused_names(family, &made.refused));
-            made.kernels.retain(|kernel| left.contract.kernels.iter().any(|fine| fine.name == kernel.name));
-            causes.append(&mut made.refused);
-            made.text = module_text(&left, &made.kernels);
-            made.refused = unproved(algebra, &left, &made.text);
-        }
-        causes.append(&mut made.refused);
-        if !made.kernels.is_empty() {
-            add(&mut generated, &left, &made.kernels, made.text);
-        }
-    }
+    let (mut generated, causes) = each(families, |family| {
+        let made = attempt(algebra, family, &mut progress);
+        what_is_proved(algebra, family, made, &mut progress)
+    });
     if generated.kernels.is_empty() {
         return Err(causes);
     }
     generated.refused = causes.iter().map(refusal).collect();
     Ok(generated)
+}
+
+/// What attempts make of families, one after another, and all that they refuse. A family of which nothing is left has no
+/// file.
+fn each(families: &[Family], mut attempt: impl FnMut(&Family) -> Attempt) -> (Generated, Vec<PipelineError>) {
+    let (mut generated, mut causes) = (Generated::default(), Vec::new());
+    for family in families {
+        let Attempt { kernels, text, refused } = attempt(family);
+        if !kernels.is_empty() || refused.is_empty() {
+            generated.kernels.extend(kernels.iter().map(|kernel| made(family, kernel)));
+            generated.files.insert(format!("{}.rs", family.name), text);
+        }
+        causes.extend(refused);
+    }
+    (generated, causes)
+}
+
+/// The same without the kernels that are refused, proved once more where others are left.
+fn what_is_proved(
+    algebra: Algebra,
+    family: &Family,
+    mut made: Attempt,
+    progress: &mut impl FnMut(&str, &str),
+) -> Attempt {
+    let mut left = family.clone();
+    let mut causes = Vec::new();
+    while !made.refused.is_empty() && !made.kernels.is_empty() {
+        left = left.without(&refused_names(family, &made.refused));
+        made.kernels.retain(|kernel| left.contract.kernels.iter().any(|fine| fine.name == kernel.name));
+        causes.append(&mut made.refused);
+        made.text = module_text(&left, &made.kernels);
+        made.refused = unproved(algebra, &left, &made.text, &mut *progress);
+    }
+    causes.append(&mut made.refused);
+    Attempt { refused: causes, ..made }
 }
 
 /// The kernels that these causes are about; all of the family where one names none.
@@ -200,13 +217,13 @@ struct Attempt {
     refused: Vec<PipelineError>,
 }
 
-fn attempt(algebra: Algebra, family: &Family, progress: &mut impl FnMut(&str)) -> Attempt {
+fn attempt(algebra: Algebra, family: &Family, progress: &mut impl FnMut(&str, &str)) -> Attempt {
     let (mut kernels, mut unmade) = make_kernels(algebra, family, progress);
     let mut text = module_text(family, &kernels);
-    let mut open = unproved(algebra, family, &text);
+    let mut open = unproved(algebra, family, &text, &mut *progress);
     if take_as_written(family, &open, &mut kernels, &mut unmade) {
         text = module_text(family, &kernels);
-        open = unproved(algebra, family, &text);
+        open = unproved(algebra, family, &text, &mut *progress);
     }
     // a kernel that is not made is missing, but for another reason
     let missing = |cause: &PipelineError| !unmade.is_empty() && matches!(cause, PipelineError::Missing(_));
@@ -215,16 +232,11 @@ fn attempt(algebra: Algebra, family: &Family, progress: &mut impl FnMut(&str)) -
     Attempt { kernels, text, refused }
 }
 
-fn add(generated: &mut Generated, family: &Family, kernels: &[KernelText], text: String) {
-    generated.kernels.extend(kernels.iter().map(|kernel| made(family, kernel)));
-    generated.files.insert(format!("{}.rs", family.name), text);
-}
-
 /// The kernels of a family that can be made, and why the others cannot.
 fn make_kernels(
     algebra: Algebra,
     family: &Family,
-    progress: &mut impl FnMut(&str),
+    progress: &mut impl FnMut(&str, &str),
 ) -> (Vec<KernelText>, Vec<PipelineError>) {
     let (mut kernels, mut causes) = (Vec::new(), Vec::new());
     let golden = golden(family).unwrap_or_else(|cause| {
@@ -233,7 +245,7 @@ fn make_kernels(
     });
     for kernel in &family.contract.kernels {
         let name = format!("{}::{}", family.name, kernel.name);
-        progress(&name);
+        progress(&name, family.place(&kernel.name));
         match make_kernel(algebra, family, kernel, &golden, name) {
             Ok(made) => kernels.push(made),
             Err(cause) => causes.push(cause),
@@ -346,8 +358,13 @@ fn made_from(family: &Family) -> String {
 }
 
 /// The kernels of a family's generated text that are not proved equal to its reference expressions, or whose bounds are
-/// not what their text proves; or why the text does not read back.
-pub fn unproved(algebra: Algebra, family: &Family, text: &str) -> Vec<PipelineError> {
+/// not what their text proves; or why the text does not read back. `progress` is told as by [`generate`].
+pub fn unproved(
+    algebra: Algebra,
+    family: &Family,
+    text: &str,
+    mut progress: impl FnMut(&str, &str),
+) -> Vec<PipelineError> {
     let sources = match closedform_syntax::parse_file(text) {
         Ok(sources) => sources,
         Err(cause) => return vec![PipelineError::Unreadable { family: family.name.clone(), cause }],
@@ -358,6 +375,7 @@ pub fn unproved(algebra: Algebra, family: &Family, text: &str) -> Vec<PipelineEr
         match sources.iter().find(|source| source.name == kernel.name) {
             None => causes.push(PipelineError::Missing(name)),
             Some(source) => {
+                progress(&name, family.place(&kernel.name));
                 let proof = prove(algebra, source, &family.completed(kernel), &references_of(family, kernel));
                 let bound = certified_bound_proof(source);
                 let place = || family.place(&kernel.name).to_owned();

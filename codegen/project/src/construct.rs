@@ -2,6 +2,9 @@
 
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator};
 
+/// The most nodes that a formula may have when everything that it names is put in.
+pub(crate) const SIZE_LIMIT: usize = 100_000;
+
 pub(crate) fn integer(value: i32) -> Expr {
     ExprKind::Integer(value.into()).into()
 }

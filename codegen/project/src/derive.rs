@@ -3,20 +3,21 @@
 mod ask;
 mod compare;
 mod decimal;
+mod disagreement;
 mod driver;
 mod error;
 mod natural;
 mod reply;
 mod sheet;
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use closedform_build::VERSION;
 use closedform_maxima::Definition;
 
 pub use ask::Options;
-pub use compare::{Compared, compare_references};
+pub use compare::{Compared, compare};
+pub use disagreement::Disagreement;
 pub use driver::VALUES;
 pub use error::{DeriveError, PointFailure};
 pub use natural::Added;
@@ -53,15 +54,6 @@ pub struct Derived {
     pub added: Vec<Added>,
 }
 
-/// A golden value that Maxima no longer agrees with.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Disagreement {
-    /// What the file says.
-    pub golden: GoldenValue,
-    /// What Maxima computes now, or why it computes nothing.
-    pub now: Result<String, PointFailure>,
-}
-
 impl Derived {
     /// Writes `NAME.ref` and `NAME.tsv`, both or none.
     pub fn write(&self) -> Result<(), DeriveError> {
@@ -96,37 +88,10 @@ pub fn rederive(folder: &Path, name: &str, options: &Options) -> Result<Vec<Defi
     Ok(check_references(&paths.reference, &text, &contract)?)
 }
 
-/// Computes the golden values of a family again; every one that no longer agrees is named.
-pub fn compare_golden(folder: &Path, name: &str, options: &Options) -> Result<Vec<Disagreement>, DeriveError> {
-    let paths = Paths::new(folder, name);
-    let contract = contract::load(&paths.contract)?;
-    let golden = golden::load(&paths.golden)?;
-    let mut by_function: BTreeMap<&str, Vec<&GoldenValue>> = BTreeMap::new();
-    for value in &golden {
-        by_function.entry(&value.worksheet).or_default().push(value);
-    }
-    let mut tasks = Vec::new();
-    for (worksheet, values) in &by_function {
-        tasks.push(again(&contract, worksheet, values)?);
-    }
-    let reply = ask(&paths, &contract, &tasks, options)?;
-    let mut disagreements = Vec::new();
-    for (index, values) in by_function.values().enumerate() {
-        let now = reply.values(index).map(|(_, results)| results.into_iter().next());
-        disagreements.extend(values.iter().zip(now).filter_map(|(golden, now)| disagreement(golden, now?)));
-    }
-    Ok(disagreements)
-}
-
 /// The hash of what a family is derived from.
 fn inputs_of(paths: &Paths) -> Result<u64, DeriveError> {
     let [worksheet, contract] = [&paths.worksheet, &paths.contract].map(|path| source::read_bytes(path));
     Ok(closedform_build::hash([&*worksheet?, &*contract?]))
-}
-
-fn disagreement(golden: &GoldenValue, now: Result<String, PointFailure>) -> Option<Disagreement> {
-    let agrees = now.as_ref().is_ok_and(|now| decimal::agree(now, &golden.value));
-    (!agrees).then(|| Disagreement { golden: golden.clone(), now })
 }
 
 /// The golden values of all kernels; kernels that have none at some points of their contracts' domains are asked once more,
@@ -178,18 +143,6 @@ fn sampled(contract: &Contract, kernel: &KernelContract, options: &Options) -> R
         .map_err(|cause| DeriveError::EmptyDomain { kernel: kernel.name.clone(), cause })?;
     let results = kernel.results.iter().map(|result| result.worksheet.clone()).collect();
     Ok(Task { results, inputs: kernel.inputs.clone(), points, wanted: options.points })
-}
-
-/// The task to compute golden values of one function again.
-fn again(contract: &Contract, worksheet: &str, values: &[&GoldenValue]) -> Result<Task, DeriveError> {
-    let kernel = contract.results().find(|(_, result)| result.worksheet == worksheet).map(|(kernel, _)| kernel);
-    let inputs = kernel.map(|kernel| kernel.inputs.clone()).unwrap_or_default();
-    let same = |value: &&GoldenValue| value.inputs.iter().map(|(name, _)| name).eq(&inputs);
-    if !values.iter().all(same) {
-        return Err(DeriveError::StaleGolden { worksheet: worksheet.to_owned() });
-    }
-    let points = values.iter().map(|value| value.inputs.iter().map(|(_, value)| *value).collect()).collect();
-    Ok(Task { results: vec![worksheet.to_owned()], inputs, points, wanted: usize::MAX })
 }
 
 /// The golden values of a kernel, from what Maxima said of each point.

@@ -3,6 +3,8 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use closedform_build::is_marked;
+use closedform_system::scratch;
 use miette::Diagnostic;
 use tempfile::NamedTempFile;
 use thiserror::Error;
@@ -12,6 +14,7 @@ const MARK: &str = "written by `closedform ";
 
 /// Refuses to replace files that this command did not write.
 pub fn replaceable<'a>(paths: impl IntoIterator<Item = &'a Path>) -> Result<(), WriteError> {
+    let is_marked = |text: &[u8]| is_marked(&String::from_utf8_lossy(text), MARK);
     let foreign = |path: &&Path| std::fs::read(path).is_ok_and(|text| !text.is_empty() && !is_marked(&text));
     match paths.into_iter().find(foreign) {
         None => Ok(()),
@@ -22,12 +25,6 @@ pub fn replaceable<'a>(paths: impl IntoIterator<Item = &'a Path>) -> Result<(), 
         }
     }
 }
-
-fn is_marked(text: &[u8]) -> bool {
-    let line = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
-    String::from_utf8_lossy(line).contains(MARK)
-}
-use closedform_system::scratch;
 
 /// A file that could not be written; what was there before is untouched.
 #[derive(Debug, Error, Diagnostic)]
@@ -42,16 +39,22 @@ pub struct WriteError {
     pub remedy: &'static str,
 }
 
+impl WriteError {
+    /// Where there is no room, or no right to write.
+    #[must_use]
+    pub fn new(path: &Path, cause: std::io::Error) -> Self {
+        Self { path: path.to_owned(), cause, remedy: "make room and get the right to write there" }
+    }
+}
+
 /// Writes all files; none is replaced before the texts of all are on disk.
 pub fn write_all(files: &[(&Path, &str)]) -> Result<(), WriteError> {
-    let remedy = "make room and get the right to write in this folder";
-    let fail = |path: &Path, cause| WriteError { path: path.to_owned(), cause, remedy };
     let mut ready = Vec::new();
     for (path, text) in files {
-        ready.push((path, beside(path, text).map_err(|cause| fail(path, cause))?));
+        ready.push((path, beside(path, text).map_err(|cause| WriteError::new(path, cause))?));
     }
     for (path, file) in ready {
-        file.persist(path).map_err(|error| fail(path, error.error))?;
+        file.persist(path).map_err(|error| WriteError::new(path, error.error))?;
     }
     Ok(())
 }

@@ -1,12 +1,13 @@
 //! Generated folders: compared whole with what they should hold, and replaced whole.
 
-use closedform_build::MARK;
+use crate::files::WriteError;
+use closedform_build::{MARK, is_marked};
 use closedform_system::scratch;
 use similar::TextDiff;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// How a file differs from what it should be.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,7 +23,21 @@ pub enum Difference {
 /// Whether a text says of itself that it was generated.
 #[must_use]
 pub fn is_generated(text: &str) -> bool {
-    text.lines().next().is_some_and(|line| line.contains(MARK))
+    is_marked(text, MARK)
+}
+
+/// The first of these files that is there and lacks this mark: somebody else wrote it.
+///
+/// # Errors
+/// When one cannot be read.
+pub fn foreign(paths: impl IntoIterator<Item = PathBuf>, mark: &str) -> Result<Option<PathBuf>, WriteError> {
+    for path in paths.into_iter().filter(|path| path.exists()) {
+        let text = fs::read(&path).map_err(|cause| WriteError::new(&path, cause))?;
+        if !is_marked(&String::from_utf8_lossy(&text), mark) {
+            return Ok(Some(path));
+        }
+    }
+    Ok(None)
 }
 
 /// Every difference between a folder and the files it should hold.

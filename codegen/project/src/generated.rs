@@ -72,6 +72,15 @@ pub fn would_be_fine(kernels: usize) -> String {
     }
 }
 
+/// What the generator works at.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Begun {
+    /// A kernel, or a family.
+    pub what: String,
+    /// Where its formula stands, `path:line:column`, or the path of its worksheet.
+    pub place: String,
+}
+
 /// Begins a line of ours.
 const MARK: &str = "\u{1}closedform ";
 
@@ -80,13 +89,19 @@ const MARK: &str = "\u{1}closedform ";
 pub enum Word {
     /// So many kernels will be made.
     Kernels(usize),
-    /// This is begun now.
-    Making(String),
+    /// This is made or proved from now on.
+    Begun(Begun),
     /// All is done.
     Made(Generated),
 }
 
 impl Word {
+    /// That this is begun.
+    #[must_use]
+    pub fn begun(what: &str, place: &str) -> Self {
+        Self::Begun(Begun { what: what.to_owned(), place: place.to_owned() })
+    }
+
     /// Says it on standard output.
     ///
     /// # Errors

@@ -110,8 +110,8 @@ fn generated(families: &[Family], strict: bool) -> Result<Generated, WorkError> 
     let kernels = families.iter().map(|family| family.contract.kernels.len()).sum();
     Word::Kernels(kernels).send()?;
     let made = match strict {
-        true => generate(ALGEBRA, families, making),
-        false => generate_what_can_be(ALGEBRA, families, making),
+        true => generate(ALGEBRA, families, begun),
+        false => generate_what_can_be(ALGEBRA, families, begun),
     };
     made.map_err(|causes| {
         let fine = kernels.saturating_sub(kernels_refused(&causes));
@@ -124,19 +124,18 @@ fn rederived(folder: &Path, kernels: &Path) -> Result<(), WorkError> {
     let mut families = families(folder)?;
     let options = Options::within(&Limits::default())?; // the command has put the limit of its project into the environment
     for family in &mut families {
-        making(&family.name);
+        begun(&family.name, &family.paths.worksheet.to_string_lossy());
         family.references = rederive(folder, &family.name, &options)?;
     }
     let mut causes = Vec::new();
     for family in &families {
-        making(&family.name);
         let text = fs::read_to_string(kernels.join(format!("{}.rs", family.name)))?;
-        causes.extend(unproved(ALGEBRA, family, &text));
+        causes.extend(unproved(ALGEBRA, family, &text, begun));
     }
     if causes.is_empty() { Ok(()) } else { Err(WorkError::Changed(causes)) }
 }
 
 /// If nobody listens, the worker ends anyway.
-fn making(what: &str) {
-    _ = Word::Making(what.to_owned()).send();
+fn begun(what: &str, place: &str) {
+    _ = Word::begun(what, place).send();
 }

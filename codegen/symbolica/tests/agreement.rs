@@ -91,6 +91,6 @@ fn a_worksheet_has_the_same_kernels() {
     let path = folder.path().join("made.mac");
     std::fs::write(&path, WORKSHEET).unwrap();
     let family = Family::from_worksheet(&path).unwrap();
-    let text = |algebra| generate(algebra, std::slice::from_ref(&family), |_| ()).unwrap().files;
+    let text = |algebra| generate(algebra, std::slice::from_ref(&family), |_, _| ()).unwrap().files;
     assert_eq!(text(ALGEBRA), text(SMALL));
 }

@@ -41,7 +41,7 @@ fn made(contract: &str, worksheet: &str) -> (Family, String) {
     std::fs::write(folder.path().join("made.toml"), contract).unwrap();
     std::fs::write(folder.path().join("made.mac"), worksheet).unwrap();
     let family = Family::from_worksheet(&folder.path().join("made.mac")).unwrap();
-    let mut generated = generate(ALGEBRA, std::slice::from_ref(&family), |_| ()).unwrap();
+    let mut generated = generate(ALGEBRA, std::slice::from_ref(&family), |_, _| ()).unwrap();
     (family, generated.files.remove("made.rs").unwrap())
 }
 
@@ -117,7 +117,7 @@ fn doubled(expr: &Expr) -> Expr {
 
 fn every_side_of_every_if_is_proved() {
     for (family, text) in [twelve_results(), largest_of_twelve()] {
-        assert!(unproved(ALGEBRA, &family, &text).is_empty());
+        assert!(unproved(ALGEBRA, &family, &text, |_, _| ()).is_empty());
         let (kernel, contract) = (kernel_of(&text), &family.contract.kernels[0]);
         assert_eq!(choices(&mut kernel.clone()).len(), TERMS, "{text}");
         for (at, side) in (0..TERMS).flat_map(|at| [(at, true), (at, false)]) {

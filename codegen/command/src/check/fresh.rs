@@ -5,19 +5,19 @@ use crate::own_crate::Draft;
 use crate::worker::{self, Source};
 use closedform_build::{Stale, stale};
 use closedform_project::Project;
-use closedform_project::family::families;
+use closedform_project::family::{Family, families};
 use closedform_project::folder::{self, Difference};
 use miette::IntoDiagnostic;
 use std::collections::BTreeSet;
 use std::path::MAIN_SEPARATOR;
 
 /// Every generated file is as it was generated, of worksheets and references as they are now, and there is one for every
-/// worksheet.
+/// worksheet. Returns the families of the worksheets, read once for all that is checked of them.
 ///
 /// # Errors
 ///
 /// When a file is stale, missing or left over, or a worksheet is wrong.
-pub fn check(project: &Project) -> miette::Result<()> {
+pub fn check(project: &Project) -> miette::Result<Vec<Family>> {
     let found = stale(&project.generated(), &project.worksheets).into_diagnostic()?;
     let (derived, generated): (Vec<Stale>, Vec<Stale>) =
         found.into_iter().partition(|stale| stale.path.starts_with(&project.worksheets));
@@ -31,16 +31,16 @@ pub fn check(project: &Project) -> miette::Result<()> {
     let missing = wanted.difference(&present).map(|name| format!("missing: {}", in_folder(project, name)));
     let orphans = present.difference(&wanted).map(|name| format!("made by nothing: {}", in_folder(project, name)));
     let wrong: Vec<String> = said(generated).into_iter().chain(missing).chain(orphans).collect();
-    if wrong.is_empty() { Ok(()) } else { Err(CheckError::Stale(wrong).into()) }
+    if wrong.is_empty() { Ok(families) } else { Err(CheckError::Stale(wrong).into()) }
 }
 
-/// Generates everything again, and compares every byte.
+/// Generates everything again, of families that were read without errors, and compares every byte.
 ///
 /// # Errors
 ///
 /// When a kernel cannot be made or proved, or a file differs.
 pub fn regenerate(project: &Project) -> miette::Result<()> {
-    let generated = worker::run(&Source::Folder(project.worksheets.clone()), &project.limits)?;
+    let generated = worker::run_checked(&Source::Folder(project.worksheets.clone()), &project.limits)?;
     let files = Draft::new(&generated)?.whole(project.judges)?;
     let differences = folder::compare(&project.generated(), &files).into_diagnostic()?;
     let wrong: Vec<String> = differences.iter().map(|difference| describe(project, difference)).collect();

@@ -3,7 +3,7 @@
 use super::error::CheckError;
 use crate::worker::{self, Source};
 use closedform_project::Project;
-use closedform_project::derive::{Compared, Options, compare_golden, compare_references};
+use closedform_project::derive::{Compared, Options, compare};
 use closedform_project::family::family_names;
 use closedform_project::golden::GoldenValue;
 
@@ -15,12 +15,12 @@ use closedform_project::golden::GoldenValue;
 pub fn check(project: &Project, options: &Options) -> miette::Result<String> {
     let (mut changed, mut said) = (Vec::new(), String::new());
     for name in family_names(&project.worksheets)? {
-        let compared = compare_references(&project.worksheets, &name, options)?;
+        let compared = compare(&project.worksheets, &name, options)?;
         said += &other_version(&name, &compared);
         changed.extend(compared.changed.iter().map(|(function, kernel)| {
             format!("{name}.ref: Maxima derives another `{function}`, of the kernel `{kernel}`")
         }));
-        for disagreement in compare_golden(&project.worksheets, &name, options)? {
+        for disagreement in compared.disagreements {
             let now = disagreement.now.unwrap_or_else(|failure| failure.to_string());
             changed.push(golden(&name, &disagreement.golden, &now));
         }
@@ -31,14 +31,15 @@ pub fn check(project: &Project, options: &Options) -> miette::Result<String> {
     Ok(said + "live: every reference is what Maxima derives, and every golden value what it computes\n")
 }
 
-/// Proves the kernels as checked in equal to what Maxima derives now; needs Symbolica.
+/// Proves the kernels as checked in, of families that were read without errors, equal to what Maxima derives now; needs
+/// Symbolica.
 ///
 /// # Errors
 ///
 /// When one is not proved.
 pub fn prove(project: &Project, options: &Options) -> miette::Result<()> {
     let (folder, kernels) = (project.worksheets.clone(), project.generated());
-    worker::run(&Source::Rederived { folder, kernels, maxima: options.maxima.clone() }, &project.limits)?;
+    worker::run_checked(&Source::Rederived { folder, kernels, maxima: options.maxima.clone() }, &project.limits)?;
     Ok(())
 }
 

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use closedform_project::WriteError;
 use miette::Diagnostic;
 use thiserror::Error;
 
@@ -60,14 +61,9 @@ pub enum OwnCrateError {
         first_line: String,
     },
     /// A file cannot be read or written.
-    #[error("cannot write {}: {cause}", path.display())]
-    #[diagnostic(help("make room and get the right to write there"))]
-    Write {
-        /// The file or folder.
-        path: PathBuf,
-        /// Why not.
-        cause: std::io::Error,
-    },
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Write(#[from] WriteError),
     /// No runtime to depend on.
     #[error("there is no runtime at {}", .0.display())]
     #[diagnostic(help(
@@ -79,6 +75,6 @@ pub enum OwnCrateError {
 impl OwnCrateError {
     /// A file or folder that cannot be written.
     pub fn write(path: &Path, cause: std::io::Error) -> Self {
-        Self::Write { path: path.to_owned(), cause }
+        WriteError::new(path, cause).into()
     }
 }

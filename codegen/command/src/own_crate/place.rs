@@ -7,8 +7,8 @@ use std::path::Path;
 
 use super::runtime::RUNTIME;
 use super::{OwnCrateError, Runtime, text};
-use closedform_build::worksheet_of;
-use closedform_project::folder::is_generated;
+use closedform_build::{MARK, worksheet_of};
+use closedform_project::folder::{foreign, is_generated};
 
 /// Where generated files stand in a crate.
 pub(super) const GENERATED: &str = "src/generated";
@@ -69,11 +69,9 @@ pub(super) fn lock(_folder: &Path) -> io::Result<()> {
 
 /// Whether all files that are to be written are new, or marked as made of the same worksheet.
 pub(super) fn check_owner(folder: &Path, files: &BTreeMap<String, String>) -> Result<(), OwnCrateError> {
-    for name in files.keys().map(String::as_str).chain([text::INDEX, text::JUDGES]) {
-        let path = folder.join(name);
-        if path.exists() && !is_generated(&read(&path)?) {
-            return Err(OwnCrateError::Foreign(path));
-        }
+    let paths = files.keys().map(String::as_str).chain([text::INDEX, text::JUDGES]).map(|name| folder.join(name));
+    if let Some(path) = foreign(paths, MARK)? {
+        return Err(OwnCrateError::Foreign(path));
     }
     for (name, text) in files {
         let path = folder.join(name);

@@ -1,14 +1,15 @@
 //! One run of the worker: started with the lock in its hands, listened to, limited, and judged by how it ended.
 
-use super::{Source, WorkerError};
+use super::{Last, Source, WorkerError};
 use crate::bar::progress_bar;
-use closedform_project::generated::{Generated, Word};
+use closedform_project::generated::{Begun, Generated, Word};
 use closedform_project::maxima_process::ALLOW_SYSTEM_VARIABLE;
 use closedform_system::limit::MAXIMA;
 use closedform_system::output::warn;
 use closedform_system::processor::time_of;
 use closedform_system::turn::Turn;
 use indicatif::ProgressBar;
+use std::collections::BTreeSet;
 use std::io::{self, BufRead, BufReader, IsTerminal, Read};
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -32,8 +33,10 @@ pub(super) enum Ending {
 struct Heard {
     bar: Option<ProgressBar>,
     /// What was begun last.
-    making: Option<String>,
-    /// The processor time at which it was begun.
+    begun: Option<Begun>,
+    /// Everything that was begun: a kernel is made, and then proved.
+    kernels: BTreeSet<String>,
+    /// The processor time at which the last was begun.
     since: Duration,
     made: Option<Generated>,
     /// What Symbolica has begun to print: lines in a frame, of which the last one closes it.
@@ -59,7 +62,7 @@ pub(super) fn attempt(
     {
         _ = child.kill(); // an error means that it has ended
         child.wait()?;
-        return Err(WorkerError::OutOfTime { what: heard.what(), limit });
+        return Err(WorkerError::OutOfTime { begun: Last(heard.begun), limit });
     }
     let status = child.wait()?;
     if let Some(bar) = &heard.bar {
@@ -80,7 +83,7 @@ fn judge(status: ExitStatus, heard: Heard, errors: &str) -> Result<Ending, Worke
     match (status.code(), heard.made) {
         (Some(0), Some(made)) => Ok(Ending::Made(made)),
         (Some(1), _) => Err(WorkerError::Failed),
-        _ => Err(WorkerError::Crashed { what: heard.making.unwrap_or_default(), status }),
+        _ => Err(WorkerError::Crashed { begun: Last(heard.begun), status }),
     }
 }
 
@@ -134,7 +137,7 @@ fn text_of(mut errors: impl Read) -> String {
     String::from_utf8_lossy(&text).into_owned()
 }
 
-/// Listens until the worker ends; false if it takes too long.
+/// Listens until the worker ends; false if it takes too long for what it has begun.
 fn listen(child: &mut Child, words: &Receiver<String>, heard: &mut Heard, limit: u64, quiet: bool) -> bool {
     loop {
         match words.recv_timeout(Duration::from_millis(200)) {
@@ -145,7 +148,7 @@ fn listen(child: &mut Child, words: &Receiver<String>, heard: &mut Heard, limit:
             },
             Err(RecvTimeoutError::Timeout) => {
                 let used = time_of(child.id()).unwrap_or_default().saturating_sub(heard.since);
-                if used > Duration::from_secs(limit) {
+                if heard.begun.is_some() && used > Duration::from_secs(limit) {
                     return false;
                 }
             }
@@ -161,12 +164,13 @@ impl Heard {
     fn word(&mut self, word: Word, process: u32) {
         match word {
             Word::Kernels(kernels) => self.bar = Some(progress_bar(kernels as u64, "{bar:30} {pos}/{len} {msg}")),
-            Word::Making(what) => {
+            Word::Begun(begun) => {
+                self.kernels.insert(begun.what.clone());
                 if let Some(bar) = &self.bar {
-                    bar.set_message(what.clone());
-                    bar.inc(1);
+                    bar.set_message(begun.what.clone());
+                    bar.set_position(self.kernels.len() as u64);
                 }
-                self.making = Some(what);
+                self.begun = Some(begun);
                 self.since = time_of(process).unwrap_or_default();
             }
             Word::Made(made) => self.made = Some(made),
@@ -193,9 +197,5 @@ impl Heard {
             Some(bar) => bar.suspend(|| warn(&text)),
             None => warn(&text),
         }
-    }
-
-    fn what(&self) -> String {
-        self.making.clone().unwrap_or_else(|| "nothing yet".to_owned())
     }
 }

@@ -2,7 +2,7 @@
 
 use super::values::ALGEBRA;
 use closedform_generator::kernel::{ProofError, prove};
-use closedform_generator::pipeline::generate;
+use closedform_generator::pipeline::{generate, generate_what_can_be};
 use closedform_maxima::Definition;
 use closedform_project::family::Family;
 use closedform_syntax::{Kernel, parse_file};
@@ -27,7 +27,7 @@ fn made(domain: &str, formula: &str) -> (Family, String) {
     std::fs::write(folder.path().join("made.toml"), contract).unwrap();
     std::fs::write(folder.path().join("made.mac"), format!("f(x,y):={formula}$\n")).unwrap();
     let family = Family::from_worksheet(&folder.path().join("made.mac")).unwrap();
-    let mut generated = generate(ALGEBRA, std::slice::from_ref(&family), |_| ()).unwrap();
+    let mut generated = generate(ALGEBRA, std::slice::from_ref(&family), |_, _| ()).unwrap();
     (family, generated.files.remove("made.rs").unwrap())
 }
 
@@ -90,6 +90,43 @@ fn what_is_generated_is_proved_and_nothing_else() {
         }
         assert!(refused > 3, "{formula}: {refused} texts");
     }
+}
+
+/// Two formulas of a contract, one of which has a domain without points.
+fn one_of_two() -> Family {
+    let folder = tempfile::tempdir().unwrap();
+    let kernel = |name: &str, domain: &str| {
+        format!(
+            "[[kernel]]\nname = \"{name}\"\ndoc = \"One.\"\ninputs = [\"x\"]\ndomain = [{domain}]\n\
+             [[kernel.result]]\nname = \"{name}\"\nworksheet = \"{name}\"\nunit = \"1\"\n"
+        )
+    };
+    let contract = "[family]\ntitle = \"Two\"\n[inputs]\nx = { name = \"x\", unit = \"1\" }\n".to_owned();
+    let contract = contract + &kernel("empty", "\"x > 1\", \"x < 1\"") + &kernel("fine", "\"x > 0\"");
+    std::fs::write(folder.path().join("made.toml"), contract).unwrap();
+    std::fs::write(folder.path().join("made.mac"), "empty(x):=x+1$\nfine(x):=x+2$\n").unwrap();
+    Family::from_worksheet(&folder.path().join("made.mac")).unwrap()
+}
+
+#[test]
+fn what_cannot_be_made_is_left_out_where_that_is_wanted() {
+    let family = one_of_two();
+    let families = std::slice::from_ref(&family);
+    let causes = generate(ALGEBRA, families, |_, _| ()).unwrap_err();
+    assert_eq!(causes.len(), 1, "{causes:?}");
+    let mut told = Vec::new();
+    let generated =
+        generate_what_can_be(ALGEBRA, families, |name, place| told.push(format!("{place}: {name}"))).unwrap();
+    let made: Vec<&str> = generated.kernels.iter().map(|made| made.kernel.as_str()).collect();
+    let refused: Vec<&str> = generated.refused.iter().map(|refused| refused.kernel.as_str()).collect();
+    assert_eq!((made, refused), (vec!["made::fine"], vec!["made::empty"]));
+    assert!(generated.files["made.rs"].contains("fn fine(") && !generated.files["made.rs"].contains("fn empty("));
+    // once to be made; then to be proved, beside the other one and alone
+    let about = |text: &str| told.iter().filter(|told| told.ends_with(text)).count();
+    assert_eq!((about("made.mac:1:1: made::empty"), about("made.mac:2:1: made::fine")), (1, 3), "{told:?}");
+    // of nothing but what cannot be made there is nothing
+    let empty = family.without(&["fine".to_owned()].into());
+    assert_eq!(generate_what_can_be(ALGEBRA, &[empty], |_, _| ()).unwrap_err().len(), 1);
 }
 
 /// The step of Newton's method may be another one: the root stays where it is, and how near the result is to it is for the

@@ -76,7 +76,7 @@ fn kernel_of(family: &Family) -> (Kernel, String, Option<KernelText>) {
     let made = make(ALGEBRA, &family.contract, &contract, &references(family));
     let text = match &made {
         Ok(made) => text_of(made),
-        Err(_) => generate(ALGEBRA, std::slice::from_ref(family), |_| ()).unwrap().files.remove("made.rs").unwrap(),
+        Err(_) => generate(ALGEBRA, std::slice::from_ref(family), |_, _| ()).unwrap().files.remove("made.rs").unwrap(),
     };
     let kernel = parse_file(&text).unwrap_or_else(|cause| panic!("{cause}\n{text}")).remove(0);
     (kernel, text, made.ok())

@@ -1,5 +1,5 @@
-//! References derived again and compared: as texts, or between two versions of Maxima, which may write one formula in two
-//! ways, as values.
+//! A family derived again and compared: its golden values, and its references as texts, or between two versions of Maxima,
+//! which may write one formula in two ways, as values.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -8,36 +8,42 @@ use closedform_maxima::{Definition, evaluate_stable, print};
 use rug::Float;
 
 use super::ask::{Options, ask, reference_text};
+use super::disagreement::{ByFunction, Disagreement};
 use super::error::DeriveError;
 use crate::contract::{self, Contract};
 use crate::family::{Paths, check_references};
+use crate::golden;
 use crate::sample::sample;
 use crate::source;
 
-/// How the references of a family compare with what Maxima derives now.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+/// How the references and golden values of a family compare with what Maxima derives and computes now.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Compared {
     /// The version of Maxima that wrote them and the one that runs, where these differ and so do the texts.
     pub other_version: Option<(String, String)>,
     /// The functions that are other ones now, each with its kernel.
     pub changed: Vec<(String, String)>,
+    /// The golden values that are other ones now.
+    pub disagreements: Vec<Disagreement>,
 }
 
 /// The bits to which values of both are known, and to which they must agree.
 const BITS: u32 = 192;
 const AGREED: u32 = 160;
 
-/// Derives the references of a family again and compares.
+/// Derives the references of a family and computes its golden values again, in one run of its worksheet, and compares.
 ///
 /// # Errors
 ///
-/// When the worksheet fails or does not fulfil its contract, or there are no references.
-pub fn compare_references(folder: &Path, name: &str, options: &Options) -> Result<Compared, DeriveError> {
+/// When the worksheet fails or does not fulfil its contract, or there are no references or golden values that do.
+pub fn compare(folder: &Path, name: &str, options: &Options) -> Result<Compared, DeriveError> {
     let paths = Paths::new(folder, name);
     let contract = contract::load(&paths.contract)?;
     let text = source::read(&paths.reference, format!("say `closedform derive {name}`, which writes this file"))?;
     let written = check_references(&paths.reference, &text, &contract)?;
-    let reply = ask(&paths, &contract, &[], options)?;
+    let golden = golden::load(&paths.golden)?;
+    let golden = ByFunction::new(&golden);
+    let reply = ask(&paths, &contract, &golden.tasks(&contract)?, options)?;
     let derived = reference_text(name, &reply, &contract, &paths)?;
     let derived = check_references(&paths.reference, &derived, &contract)?;
     let pairs: Vec<(&Definition, &Definition)> = written.iter().zip(&derived).collect();
@@ -52,7 +58,7 @@ pub fn compare_references(folder: &Path, name: &str, options: &Options) -> Resul
     };
     let changed = changed.map(|(one, _)| (one.name.clone(), kernel(&one.name))).collect();
     let other_version = (!same_version && !differing.is_empty()).then(|| (recorded.to_owned(), reply.version.clone()));
-    Ok(Compared { other_version, changed })
+    Ok(Compared { other_version, changed, disagreements: golden.disagreements(&reply) })
 }
 
 /// The version of Maxima that a file of references names.

@@ -88,7 +88,7 @@ fn a_family_is_derived_written_and_confirmed() {
     derived.write().unwrap();
     assert_eq!(golden::load(&derived.paths.golden).unwrap(), derived.values);
     assert_eq!(rederive(folder.path(), "family", &options).unwrap(), derived.definitions);
-    assert_eq!(compare_golden(folder.path(), "family", &options).unwrap(), []);
+    assert_eq!(compare(folder.path(), "family", &options).unwrap(), Compared::default());
 }
 
 #[test]
@@ -121,7 +121,7 @@ fn what_a_formula_needs_by_itself_is_added_to_its_domain() {
         assert!(four * &x * &y <= exactly(9.0) && y >= x && y != exactly(0.0), "{value:?}");
     }
     derived.write().unwrap();
-    assert_eq!(compare_golden(folder.path(), "family", &Options::default()).unwrap(), []);
+    assert_eq!(compare(folder.path(), "family", &Options::default()).unwrap(), Compared::default());
     // what no condition on the inputs mends stays an error
     fails("d(x,y) := sqrt(-1-x^2)$ r(x,y) := x$", &["the kernel `difference` at x=", "the value is not real"]);
     fails("d(x,y) := x+foo$ r(x,y) := x$", &["foo"]);
@@ -135,9 +135,23 @@ fn a_golden_value_that_changed_is_named() {
     let mut values = derived.values.clone();
     values[0].value = format!("-{}", values[1].value);
     std::fs::write(&derived.paths.golden, golden::print(&values)).unwrap();
-    let named = compare_golden(folder.path(), "family", &Options::default()).unwrap();
+    let named = compare(folder.path(), "family", &Options::default()).unwrap().disagreements;
     assert_eq!(named.len(), 1);
     assert_eq!((&named[0].golden, &named[0].now), (&values[0], &Ok(derived.values[0].value.clone())));
+}
+
+#[test]
+fn a_worksheet_runs_once_to_be_derived_and_once_to_be_compared() {
+    let folder = folder("");
+    let runs = folder.path().join("runs");
+    let worksheet = format!("system(\"echo run >> {}\")$ d(x,y) := y-x$ r(x,y) := y$", runs.display());
+    std::fs::write(folder.path().join("family.mac"), worksheet).unwrap();
+    let mut options = options(Duration::from_secs(60));
+    options.maxima.allow_system = true;
+    derive(folder.path(), "family", &options).unwrap().write().unwrap();
+    assert_eq!(std::fs::read_to_string(&runs).unwrap(), "run\n");
+    assert_eq!(compare(folder.path(), "family", &options).unwrap(), Compared::default());
+    assert_eq!(std::fs::read_to_string(&runs).unwrap(), "run\n".repeat(2));
 }
 
 #[test]

@@ -8,9 +8,7 @@ use closedform_maxima::{Expr, HEIGHT_LIMIT};
 
 use super::mistake::CoreMistake;
 use super::read::Node;
-
-/// The most nodes that a formula may have when all names are put in.
-const SIZE_LIMIT: usize = 100_000;
+use crate::construct::SIZE_LIMIT;
 
 /// A formula, how many nodes it has and how high it is.
 #[derive(Clone)]

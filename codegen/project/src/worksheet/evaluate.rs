@@ -12,9 +12,7 @@ use super::numbers;
 use super::state::{Binding, Evaluated, Function, Refusal, Saved, State, Stop};
 use super::tree::{self, any, binary, measure, symbol};
 use super::{arrays, words};
-
-/// The most nodes of values and calls that one formula may take.
-const SIZE_LIMIT: usize = 100_000;
+use crate::construct::SIZE_LIMIT;
 
 /// How deep expressions and calls may stand inside each other.
 const DEPTH_LIMIT: usize = 3000;
