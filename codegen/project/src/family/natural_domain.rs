@@ -94,6 +94,11 @@ impl Needs {
                     let rest = binary(BinaryOperator::Subtract, argument.clone(), integer(1));
                     self.condition(&rest, Relation::GreaterOrEqual);
                 }
+                Some(("mod", [x, y])) => {
+                    self.collect(x);
+                    self.collect(y);
+                    self.not_zero(y);
+                }
                 // the unknown of a polynomial root is no input
                 Some(("positive_root", _)) => {}
                 _ => arguments.iter().for_each(|argument| self.collect(argument)),
@@ -211,6 +216,7 @@ mod tests {
         assert_eq!(texts("a/sqrt(abs(b))", &["a", "b"]), ["b # 0"]);
         assert_eq!(texts("a/%pi+a^2", &["a"]), [""; 0]);
         assert_eq!(texts("(a/b)^(2/3)-a^(1/3)", &["a", "b"]), ["b # 0"]);
+        assert_eq!(texts("mod(1/a,b-a)+mod(a,2)", &["a", "b"]), ["a # 0", "b-a # 0"]);
         assert_eq!(texts("a^(-1/3)+sqrt((a-b)^(1/3))", &["a", "b"]), ["a # 0", "a-b >= 0"]);
     }
 
