@@ -166,7 +166,8 @@ impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
         self.with(-self.value)
     }
 
-    /// Magnitudes do not tell that a function has a value. That of a power is in range where its argument is.
+    /// Magnitudes do not tell that a function has a value. That of a power is in range where its argument is. An integer is taken for
+    /// what `f64` makes of the argument, as the outcome of a comparison is: [`Bounded`](crate::Bounded) and balls doubt both.
     #[inline(always)]
     fn call(&self, function: Function) -> Self {
         let value = function.double(self.value);

@@ -44,6 +44,7 @@ mod relation;
 mod root;
 mod rounded;
 mod soft_float;
+mod step;
 pub mod table;
 mod terms;
 pub mod tier;

@@ -8,6 +8,7 @@ mod real;
 use core::cmp::Ordering;
 
 use crate::float;
+use crate::step::{Fraction, Step};
 
 /// A number `bits * 2^exponent`, the leading bit of `bits` set, or the negative of it; or zero, or not a number.
 #[derive(Clone, Copy, Debug)]
@@ -194,6 +195,28 @@ impl SoftFloat {
             root = root.plus(Self::from_f64(residual.to_f64() / slope));
         }
         SoftFloat { exponent: root.exponent + part, ..root }
+    }
+
+    /// The integer that it becomes, of what its bits say and whether there are more.
+    pub(crate) fn stepped(self, step: Step) -> Self {
+        if self.kind != Kind::Normal || self.exponent >= 0 {
+            return self;
+        }
+        let (whole, fraction) = self.whole();
+        let up = step.leaves_zero(self.negative, whole % 2 == 1, fraction);
+        Self::new(self.negative, whole + u128::from(up), 0, false)
+    }
+
+    /// The integer part of the magnitude and what is left, of a number whose last bit lies behind the point.
+    fn whole(self) -> (u128, Fraction) {
+        let (whole, rest) = match u32::try_from(-self.exponent) {
+            Ok(places @ 1..=127) => (self.bits >> places, self.bits << (128 - places)),
+            Ok(128) => (0, self.bits),
+            // less than 1/2
+            _ => (0, 1),
+        };
+        let order = rest.cmp(&(1 << 127)).then(if self.cut { Ordering::Greater } else { Ordering::Equal });
+        (whole, (rest != 0 || self.cut).then_some(order))
     }
 
     pub(crate) fn magnitude(self) -> Self {

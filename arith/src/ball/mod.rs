@@ -15,6 +15,7 @@ mod radius;
 mod real;
 mod root;
 mod separation;
+mod step;
 #[cfg(all(test, feature = "std"))]
 mod tests;
 
@@ -171,6 +172,12 @@ impl<'a, const L: usize> Ball<'a, L> {
                 accepted.then_some((rounded, false))
             }
         }
+    }
+
+    /// An integer, as it is.
+    fn integer(&self, middle: Limbs<L>) -> Self {
+        let separation = (L > WITHOUT_SEPARATION).then(|| Separation::of_integer(middle.exponent()));
+        self.enclosed_in(Enclosure::exact(middle), separation)
     }
 
     /// As a number of which only the value counts.

@@ -68,6 +68,11 @@ impl Separation {
         Separation { twos: exponent + i64::from(zeros), upper: bits.max(0), lower: 0, roots: Roots::NONE }
     }
 
+    /// Of an integer of at most so many bits.
+    pub(super) fn of_integer(bits: i64) -> Self {
+        Separation { twos: 0, upper: bits.max(0), lower: 0, roots: Roots::NONE }
+    }
+
     pub(super) fn plus(self, other: Self) -> Option<Self> {
         let twos = self.twos.min(other.twos);
         let one = self.upper + (self.twos - twos) + other.lower;

@@ -150,7 +150,7 @@ fn kept<const L: usize>(function: Function, x: f64) -> i64 {
 
 #[test]
 fn elementary_functions_lose_few_digits() {
-    for function in Function::ALL.into_iter().filter(|function| !function.is_power()) {
+    for function in Function::ALL.into_iter().filter(|function| !function.is_power() && !function.has_steps()) {
         for x in
             [0.9, 0.5, 0.3, 1e-3, 2.2e-300, 1.0 - 1e-15].into_iter().filter(|x| function.properties().domain.holds(*x))
         {

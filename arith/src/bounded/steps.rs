@@ -122,7 +122,8 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
         Bounded { value, signs, count, power_of_two: false, ..argument }
     }
 
-    /// A function that is no power: its own error is relative, and what it makes of the argument's is absolute.
+    /// A function that is no power: its own error is relative, and what it makes of the argument's is absolute. Where an integer is
+    /// certain it is exact.
     fn spread(&self, function: Function) -> Self {
         self.raise(!function.is_defined(self.value));
         let (value, signs) = (function.double(self.value), self.signs.through(function));
@@ -131,8 +132,12 @@ impl<'a, const WATCHED: bool> Bounded<'a, WATCHED> {
         if self.count == 0 && self.clean {
             return exact;
         }
-        let error = function.spread(self.value, value, self.bound()) + UNDERFLOW;
-        Bounded { error, slack: 8, ..exact }.with_absolute_error()
+        let error = function.spread(self.value, value, self.bound());
+        if function.has_steps() {
+            self.raise(error != 0.0);
+            return exact;
+        }
+        Bounded { error: error + UNDERFLOW, slack: 8, ..exact }.with_absolute_error()
     }
 }
 
@@ -147,9 +152,12 @@ fn count_after(function: Function, count: u32) -> u32 {
     }
 }
 
-/// The count of a function's own error, which is one more when it is taken relative to what was computed.
+/// The count of a function's own error, which is one more when it is taken relative to what was computed; none of an integer.
 #[inline(always)]
 fn own(function: Function) -> u32 {
+    if function.has_steps() {
+        return 0;
+    }
     let error = function.properties().error;
     error.numerator.div_ceil(error.denominator) + 1
 }

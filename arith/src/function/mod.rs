@@ -11,22 +11,27 @@ mod acos;
 mod asin;
 mod atan;
 mod cbrt;
+mod ceiling;
 mod cos;
 mod cost;
 mod elementary;
 mod exp;
+mod floor;
 mod log;
 mod operations;
 mod properties;
+mod round;
 mod signs;
 mod sin;
 mod sqrt;
 mod tan;
+mod truncate;
 
 use core::cmp::Ordering;
 
 use crate::ball::Ball;
 use crate::double_double::DoubleDouble;
+use crate::error_model::Units;
 use crate::soft_float::SoftFloat;
 pub use cost::Cost;
 pub use properties::{Domain, Parity, Properties};
@@ -149,6 +154,10 @@ functions! {
     Asin in asin counted as asin,
     Acos in acos counted as acos,
     Atan in atan counted as atan,
+    Floor in floor,
+    Ceiling in ceiling,
+    Round in round,
+    Truncate in truncate,
 }
 
 impl Function {
@@ -237,10 +246,25 @@ impl Function {
         self.properties().domain.holds(x)
     }
 
-    /// Whether a value of zero is one, not a value that underflows: powers vanish with their arguments, all others at 0 and 1 only.
+    /// Whether a value of zero is one, not a value that underflows: powers vanish with their arguments, what has steps between
+    /// two of them, all others at 0 and 1 only.
     #[inline(always)]
     pub(crate) fn may_vanish(self, x: f64) -> bool {
-        self.is_power() | (x == 0.0) | (x == 1.0)
+        self.is_power() | self.has_steps() | (x == 0.0) | (x == 1.0)
+    }
+
+    /// Whether its values are integers, the same from one step to the next: exact where the argument is, and otherwise certain
+    /// only where no step lies within the argument's error. Nothing else that is no power is exact in `f64`.
+    #[inline(always)]
+    #[must_use]
+    pub const fn has_steps(self) -> bool {
+        matches!(self.properties().error, Units::NONE) && !self.is_power()
+    }
+
+    /// Whether the value has the sign of the argument, at every number.
+    #[must_use]
+    pub const fn keeps_sign(self) -> bool {
+        matches!(self.properties().signs, [[Ordering::Less], [Ordering::Equal], [Ordering::Greater]])
     }
 
     /// Whether the value is the argument but for its sign, so that nothing is rounded.

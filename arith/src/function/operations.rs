@@ -3,7 +3,7 @@
 /// Declares the counts of operations, with a field for each function that counts.
 macro_rules! operations {
     ($($field:ident: $function:ident,)*) => {
-        /// How many operations one evaluation takes; signs, magnitudes, comparisons and choices are free, and both branches
+        /// How many operations one evaluation takes; signs, magnitudes, steps to integers, comparisons and choices are free, and both branches
         /// of an `if` count.
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct Operations {

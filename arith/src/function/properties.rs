@@ -23,7 +23,7 @@ pub struct Properties {
     pub signs: [&'static [Ordering]; 3],
     /// What becomes of its value when the argument turns its sign.
     pub parity: Parity,
-    /// Whether a larger argument has a larger value, wherever it has one.
+    /// Whether a larger argument never has a smaller value, wherever it has one.
     pub increases: bool,
     /// The derivative, in the kernel language, of the argument `x` and the value `y`; `None` where it has none everywhere.
     pub derivative: Option<&'static str>,

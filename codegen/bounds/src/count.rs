@@ -120,6 +120,9 @@ impl<'k> Counter<'k> {
             Expr::Call(function, inner) => {
                 let count = self.count(inner, case, step)?;
                 self.has_value(*function, inner, case, step)?;
+                if function.has_steps() {
+                    return if count.is_zero() { Ok(count) } else { self.refuse(step, Reason::Stepped(text(expr))) };
+                }
                 let Some((p, q)) = function.properties().exponent else {
                     return self.refuse(step, Reason::Elementary(text(expr)));
                 };

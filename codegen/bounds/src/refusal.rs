@@ -47,6 +47,8 @@ pub enum Reason {
     },
     /// A function whose error is not proved.
     Elementary(String),
+    /// An integer of a number that is rounded, perhaps over a step.
+    Stepped(String),
     /// A `residual!` that corrects no root.
     Residual(String),
     /// A root's correction that is none, or not shown to be right.
@@ -120,6 +122,7 @@ impl Reason {
             | Self::Correction { correction: text, .. }
             | Self::Undecided(text)
             | Self::Elementary(text)
+            | Self::Stepped(text)
             | Self::Residual(text) => Some(text),
             _ => None,
         }
@@ -167,6 +170,11 @@ impl fmt::Display for Reason {
                 f,
                 "the error of `{call}` in `f64` is not proved: leave the bound out and say `precision = \"certified\"`, so that \
                  every call bounds its own error"
+            ),
+            Self::Stepped(call) => write!(
+                f,
+                "rounding may carry the argument of `{call}` over a step, where its value jumps: write it of exact numbers, or \
+                 leave the bound out and say `precision = \"certified\"`"
             ),
             Self::Residual(residual) => write!(
                 f,

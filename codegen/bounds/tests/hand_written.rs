@@ -69,6 +69,21 @@ fn divisors_that_are_never_zero_are_proved() {
 }
 
 #[test]
+fn integers_of_exact_numbers_are_exact_and_others_are_refused() {
+    assert_eq!(bound("floor(a) - 1.5"), Ok(0.5));
+    assert_eq!(
+        bound("let n = round(-a); if n > b { compensated!(a - n * b) } else { truncate(ceiling(c)) }"),
+        Ok(0.51)
+    );
+    assert!(bound("require!(a >= 2.5); 1.0 / (1.0 + abs(floor(a)))").is_ok());
+    refused("floor(a + b)", "rounding may carry the argument of `floor(a + b)` over a step", "a + b");
+    refused("require!(a >= 0.0); round(sqrt(a))", "say `precision = \"certified\"`", "a");
+    // it may be zero, as that of a number above zero may be
+    refused("require!(a > 0.0); b / floor(a)", "may be zero", "a");
+    assert!(bound("require!(a > 0.0); b / ceiling(a)").is_ok());
+}
+
+#[test]
 fn roots_of_what_may_be_negative_are_refused() {
     refused("sqrt(a)", "say `require!(a >= 0.0)`", "a");
     refused("sqrt(a - b)", "say `require!(a - b >= 0.0)`", "a - b");

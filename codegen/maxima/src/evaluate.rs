@@ -2,12 +2,13 @@
 
 mod error;
 mod function;
+mod notes;
 mod power;
 mod root;
 mod scope;
 mod stable;
+mod step;
 
-use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use rug::Float;
@@ -18,26 +19,27 @@ use crate::ast::Expr;
 pub use error::EvalError;
 pub use stable::{PRECISION_LIMIT, evaluate_stable};
 
+use notes::Notes;
 use scope::Scope;
 
 /// The value of the expression, every operation rounded to `precision` bits.
 ///
-/// Digits may cancel: `evaluate_stable` raises the precision until they do not.
+/// Digits may cancel, and a rounded number may lie on the other side of a step of `floor`: `evaluate_stable` raises the precision
+/// until neither matters.
 ///
 /// # Errors
 ///
 /// A name without value, something that has no real value, or what this evaluator does not know.
 pub fn evaluate(expression: &Expr, inputs: &BTreeMap<String, Float>, precision: u32) -> Result<Float, EvalError> {
-    evaluate_reaching(expression, inputs, precision).0
+    evaluate_noting(expression, inputs, precision, &Notes::default())
 }
 
-/// The same, and how far the values of functions in it are from 1 at most, as a power of two.
-fn evaluate_reaching(
+/// The same, with what is noted on the way.
+fn evaluate_noting(
     expression: &Expr,
     inputs: &BTreeMap<String, Float>,
     precision: u32,
-) -> (Result<Float, EvalError>, u32) {
-    let reach = Cell::new(0);
-    let value = Scope::new(inputs, precision.clamp(prec_min(), prec_max()), &reach).value(expression);
-    (value, reach.get())
+    notes: &Notes,
+) -> Result<Float, EvalError> {
+    Scope::new(inputs, precision.clamp(prec_min(), prec_max()), notes).value(expression)
 }

@@ -51,6 +51,9 @@ fn values_are_right() {
         ("max(x,y,z)+min(x,y,z)", "-6"),
         ("abs(z)", "8"),
         ("signum(z)+floor(y)+ceiling(y)", "0"),
+        ("floor(-y)+10*ceiling(-y)+100*truncate(-y)", "-1"),
+        ("round(y)+10*round(3*y)+100*round(5*y)+1000*round(-3*y)", "-1780"),
+        ("entier(y*5)-mod(z,3)+mod(-z,-3)", "0"),
         ("if x>y then 1 else 2", "1"),
         ("if x<=y or not y#0.5 then 1 elseif x=2 and true then 2 else 3", "1"),
         ("0.1b0", "0.1"),
@@ -92,6 +95,32 @@ fn errors_point_at_their_cause() {
     ] {
         let (error, found) = error(text);
         assert_eq!((error.to_string().as_str(), found), (message, place), "{text}");
+    }
+}
+
+/// What rounding makes of a number at a step is on either side of it, and differs from precision to precision.
+#[test]
+fn numbers_at_a_step_are_told_from_those_beside_it() {
+    let inputs = [("a", 0.1), ("b", 0.2), ("t", 1.0 / 3.0), ("n", 1e15 + 37.0), ("e", 1e-300), ("h", 1e300)];
+    for (text, wanted) in [
+        ("floor(3*(1/3))", 1.0),
+        ("floor(n*(1/n))+ceiling(n*(1/n))+truncate(n*(1/n))", 3.0),
+        ("floor(49*(1/49))+floor(41*(1/41))+floor(47*(1/47))+floor(-107*(1/107))", 2.0),
+        ("ceiling(sqrt(2)*sqrt(8))+floor(sqrt(2)*sqrt(8))", 8.0),
+        ("round(n*(1/n)/2)+round(3*n*(1/n)/2)", 2.0),
+        ("floor(3*t)", 0.0),
+        ("floor((a+b)*10)", 3.0),
+        ("ceiling((a+b)*10)", 4.0),
+        ("ceiling((0.1+0.2)*10)", 4.0),
+        ("floor(1-e)+ceiling(e)", 1.0),
+        ("floor(1-e^3)+round(1/2+e^3)", 1.0),
+        ("floor(h+1/2)-h", 0.0),
+        ("7*floor(h^2/7)-h^2", -1.0),
+        ("floor(log(%e^a)/a)", 1.0),
+        ("mod(h,7)", 1.0),
+        ("1-floor(%e^-700)", 1.0),
+    ] {
+        assert_eq!(value(text, &inputs).map(|found| found.to_f64()), Ok(wanted), "{text}");
     }
 }
 

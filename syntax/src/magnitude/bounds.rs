@@ -51,9 +51,10 @@ impl Sign {
     /// That of a function's value.
     fn called(self, function: Function) -> Self {
         let at = |sign| match function.signs(sign) {
+            [] => None,
             [Ordering::Less] => Some(Sign::Negative),
             [Ordering::Greater] => Some(Sign::Positive),
-            _ => None,
+            _ => Some(Sign::Open),
         };
         let (negative, positive) = (at(Ordering::Less), at(Ordering::Greater));
         let image = match self {

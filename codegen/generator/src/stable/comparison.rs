@@ -6,12 +6,11 @@ use closedform_arith::Relation;
 use num_rational::BigRational;
 use num_traits::Zero;
 
-/// The condition that a step has a sign relation to zero; constant factors of the step and odd functions do not matter.
+/// The condition that a step has a sign relation to zero; constant factors of the step and functions that keep the sign do not matter.
 pub fn compared_with_zero(graph: &mut Graph, node: Node, order: Relation) -> Condition {
     let (inner, mirrored) = match *graph.op(node) {
         Op::Neg(a) => (a, true),
-        // an odd function has the sign of its argument
-        Op::Call(function, a) if function.is_odd() => (a, false),
+        Op::Call(function, a) if function.keeps_sign() => (a, false),
         Op::Mul(a, b) if has_one_sign(graph, a) => (b, graph.sign(a).is(Sign::NEGATIVE)),
         Op::Mul(a, b) if has_one_sign(graph, b) => (a, graph.sign(b).is(Sign::NEGATIVE)),
         _ => {
@@ -43,6 +42,7 @@ pub fn not_opposite(sign: Sign) -> Option<Relation> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use closedform_arith::Function;
 
     #[test]
     fn constant_factors_do_not_matter_but_for_their_sign() {
@@ -56,5 +56,17 @@ mod tests {
         assert_eq!(compared(x), Condition::Compare(x, Relation::Greater, zero));
         assert_eq!(compared(doubled), Condition::Compare(x, Relation::Less, zero));
         assert_eq!(compared(turned), Condition::Compare(x, Relation::Greater, zero));
+    }
+
+    #[test]
+    fn only_functions_that_keep_the_sign_do_not_matter() {
+        let mut graph = Graph::default();
+        let x = graph.input(0, Sign::ANY);
+        let zero = graph.constant(&BigRational::zero());
+        for (name, keeps) in [("cbrt", true), ("atan", true), ("sin", false), ("round", false), ("truncate", false)] {
+            let call = graph.call(Function::named(name).unwrap(), x);
+            let expected = Condition::Compare(if keeps { x } else { call }, Relation::Greater, zero);
+            assert_eq!(compared_with_zero(&mut graph, call, Relation::Greater), expected, "{name}");
+        }
     }
 }

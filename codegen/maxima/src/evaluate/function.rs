@@ -7,8 +7,8 @@ use rug::Float;
 use crate::ast::Expr;
 
 use super::error::EvalError;
-use super::root;
 use super::scope::{Result, Scope};
+use super::{root, step};
 
 /// The binary exponent up to which angles are reduced.
 const LARGEST_ANGLE: i32 = 1 << 16;
@@ -26,8 +26,13 @@ pub(super) fn call(scope: &Scope, name: &str, arguments: &[Expr], span: &Range<u
         ("max", _) => extreme(scope, arguments, |best, next| best.max(next)),
         ("min", _) => extreme(scope, arguments, |best, next| best.min(next)),
         ("atan2", [y, x]) => Ok(scope.value(y)?.atan2(&scope.value(x)?)),
+        ("mod", [x, y]) => remainder(scope, x, y),
         ("positive_root", [polynomial, variable]) => root::positive_root(scope, polynomial, variable),
-        ("atan2" | "positive_root", _) => Err(count("two arguments")),
+        ("atan2" | "mod" | "positive_root", _) => Err(count("two arguments")),
+        (_, [argument]) if let Some(function) = step::named(name) => {
+            Ok(step::value(scope.notes, function, scope.value(argument)?))
+        }
+        _ if step::named(name).is_some() => Err(count("one argument")),
         _ => match (simple(name), arguments) {
             (Some(function), [argument]) => {
                 within_reach(name, scope.value(argument)?, span).map(|argument| scope.reached(function(argument)))
@@ -44,6 +49,16 @@ fn extreme(scope: &Scope, arguments: &[Expr], better: fn(Float, &Float) -> Float
         best = better(best, &scope.value(argument)?);
     }
     Ok(best)
+}
+
+/// What a multiple of `y` leaves of `x`, of the sign of `y`.
+fn remainder(scope: &Scope, x: &Expr, y: &Expr) -> Result<Float> {
+    let (dividend, divisor) = (scope.value(x)?, scope.value(y)?);
+    if divisor.is_zero() {
+        return Err(EvalError::DivisionByZero { span: y.span.clone() });
+    }
+    let whole = step::value(scope.notes, Float::floor, dividend.clone() / &divisor);
+    Ok(dividend - divisor * whole)
 }
 
 /// The argument, unless the function is periodic and the argument so large that reducing it takes for ever.
@@ -74,8 +89,6 @@ fn simple(name: &str) -> Option<fn(Float) -> Float> {
         "asinh" => Float::asinh,
         "acosh" => Float::acosh,
         "atanh" => Float::atanh,
-        "floor" => Float::floor,
-        "ceiling" => Float::ceil,
         "signum" => |value| if value.is_zero() { value } else { value.signum() },
         _ => return None,
     })

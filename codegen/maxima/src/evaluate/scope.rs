@@ -1,6 +1,5 @@
 //! The names an expression sees, and its value among them.
 
-use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -11,6 +10,7 @@ use crate::ast::{BinaryOperator, Branch, Expr, ExprKind, UnaryOperator};
 use crate::exact;
 
 use super::error::EvalError;
+use super::notes::Notes;
 use super::{function, power};
 
 pub(super) type Result<T> = std::result::Result<T, EvalError>;
@@ -32,18 +32,19 @@ pub(super) struct Scope<'a> {
     local: Option<&'a Local<'a>>,
     /// Bits of every result.
     pub precision: u32,
-    reach: &'a Cell<u32>,
+    /// What is noted on the way.
+    pub notes: &'a Notes,
 }
 
 impl<'a> Scope<'a> {
-    pub(super) fn new(inputs: &'a BTreeMap<String, Float>, precision: u32, reach: &'a Cell<u32>) -> Self {
-        Self { inputs, local: None, precision, reach }
+    pub(super) fn new(inputs: &'a BTreeMap<String, Float>, precision: u32, notes: &'a Notes) -> Self {
+        Self { inputs, local: None, precision, notes }
     }
 
     /// Takes note of how far the value of a function that is no root is from 1, as a power of two: it is not seen in the inputs.
     pub(super) fn reached(&self, value: Float) -> Float {
         let exponent = value.get_exp().map_or(0, i32::unsigned_abs);
-        self.reach.set(self.reach.get().max(exponent));
+        self.notes.reach.set(self.notes.reach.get().max(exponent));
         value
     }
 
@@ -57,7 +58,7 @@ impl<'a> Scope<'a> {
     where
         'a: 'b,
     {
-        Scope { inputs: self.inputs, local: Some(local), precision: self.precision, reach: self.reach }
+        Scope { inputs: self.inputs, local: Some(local), precision: self.precision, notes: self.notes }
     }
 
     /// `value` rounded to the precision.

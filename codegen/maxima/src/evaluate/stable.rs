@@ -7,7 +7,8 @@ use rug::Float;
 use crate::ast::Expr;
 
 use super::error::EvalError;
-use super::{evaluate, evaluate_reaching};
+use super::evaluate_noting;
+use super::notes::Notes;
 
 /// The highest precision that is tried, in bits.
 pub const PRECISION_LIMIT: u32 = 1 << 14;
@@ -15,13 +16,14 @@ pub const PRECISION_LIMIT: u32 = 1 << 14;
 /// Bits beyond those asked for at the first try.
 const GUARD_BITS: u32 = 64;
 
-/// How often in a row a value must be noise before it is taken for zero.
+/// How often in a row a value must be noise before it is taken for zero, and a number near a step before it is taken for one there.
 const NOISE_COUNT: u32 = 3;
 
 /// The value of the expression at exactly these inputs, the first `bits` bits of which are right.
 ///
 /// The precision doubles until two results in a row agree to `bits` bits, or until the result is zero: exactly, twice, or
-/// nothing but rounding noise that shrinks as the precision grows. It starts the higher, the farther the magnitudes of the
+/// nothing but rounding noise that shrinks as the precision grows. A number that is as near to a step of `floor` and the like, however
+/// high the precision, is the number there. It starts the higher, the farther the magnitudes of the
 /// inputs lie apart, and those of functions such as `exp` from 1, lest a small number is lost beside a large one at two precisions
 /// in a row. The result has all bits of
 /// the highest precision used.
@@ -35,17 +37,23 @@ pub fn evaluate_stable(expression: &Expr, inputs: &BTreeMap<String, f64>, bits: 
     let (low, high) = exponents(&exact);
     let spread = low.abs_diff(high);
     let mut precision = first_precision(bits, spread);
-    let (mut previous, reach) = evaluate_reaching(expression, &exact, precision);
-    if reach > spread {
-        precision = first_precision(bits, reach);
-        previous = evaluate(expression, &exact, precision);
+    let evaluated = |precision| Evaluated::of(expression, &exact, precision);
+    let mut first = evaluated(precision);
+    if first.reach > spread {
+        precision = first_precision(bits, first.reach);
+        first = evaluated(precision);
     }
-    let mut noise = count_noise(0, &previous, low, precision);
+    let (mut noise, mut near) = (count_noise(0, &first, low, precision), u32::from(first.is_near_step));
+    let mut previous = first.value;
     while precision < PRECISION_LIMIT {
         precision *= 2;
-        let next = evaluate(expression, &exact, precision);
-        noise = count_noise(noise, &next, low, precision);
+        let found = evaluated(precision);
+        noise = count_noise(noise, &found, low, precision);
+        near = if found.is_near_step { near + 1 } else { 0 };
+        let is_told = !found.lost_fraction && (near == 0 || near >= NOISE_COUNT);
+        let next = found.value;
         match (&previous, &next) {
+            (Ok(_), Ok(_)) if !is_told => previous = next,
             (Ok(earlier), Ok(later)) if agree(earlier, later, bits) => return next,
             (_, Ok(_)) if noise >= NOISE_COUNT => return Ok(Float::new(precision)),
             (_, Err(error)) if !error.may_be_rounding() => return next,
@@ -53,6 +61,24 @@ pub fn evaluate_stable(expression: &Expr, inputs: &BTreeMap<String, f64>, bits: 
         }
     }
     previous.and_then(|_| Err(EvalError::Unsettled { precision, span: expression.span.clone() }))
+}
+
+/// A value at one precision, and what was noted on the way.
+struct Evaluated {
+    value: Result<Float, EvalError>,
+    reach: u32,
+    is_near_step: bool,
+    lost_fraction: bool,
+}
+
+impl Evaluated {
+    fn of(expression: &Expr, inputs: &BTreeMap<String, Float>, precision: u32) -> Self {
+        let notes = Notes { takes_near_for_equal: true, ..Notes::default() };
+        let value = evaluate_noting(expression, inputs, precision, &notes);
+        let Notes { reach, is_near_step, lost_fraction, .. } = notes;
+        let [is_near_step, lost_fraction] = [is_near_step, lost_fraction].map(|note| note.get());
+        Self { value, reach: reach.get(), is_near_step, lost_fraction }
+    }
 }
 
 /// The smallest and the greatest binary exponent among the inputs and 1.
@@ -77,10 +103,12 @@ fn agree(earlier: &Float, later: &Float, bits: u32) -> bool {
 }
 
 /// The count raised if the value is far below the smallest input, as only rounding makes it; otherwise 0.
-fn count_noise(count: u32, value: &Result<Float, EvalError>, low: i32, precision: u32) -> u32 {
+fn count_noise(count: u32, found: &Evaluated, low: i32, precision: u32) -> u32 {
     let border = i64::from(low) - i64::from(precision / 2);
-    match value {
-        Ok(value) if value.get_exp().is_none_or(|exponent| i64::from(exponent) < border) => count + 1,
+    match &found.value {
+        Ok(value) if !found.lost_fraction && value.get_exp().is_none_or(|exponent| i64::from(exponent) < border) => {
+            count + 1
+        }
         _ => 0,
     }
 }

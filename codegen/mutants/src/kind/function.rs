@@ -26,15 +26,16 @@ pub fn root(value: &Expr) -> Expr {
     Expr::Call(Function::Sqrt, value.clone().into())
 }
 
-/// The argument alone, the negative value, and every other function of its kind, power or not, of the argument.
+/// The argument alone, the negative value, and every other function of its kind, a power, one with steps or neither, of the
+/// argument.
 fn calls(call: &Expr, function: Function, argument: &Expr) -> Vec<Wrong<Expr>> {
     let what = if function.degree().is_some() { "root" } else { function.properties().noun };
     let mut found = vec![
         Wrong::new(format!("{what} dropped"), argument.clone()),
         Wrong::new(format!("{what} negated"), negated(call)),
     ];
-    let others =
-        Function::ALL.into_iter().filter(|other| *other != function && other.is_power() == function.is_power());
+    let kind = |function: Function| (function.is_power(), function.has_steps());
+    let others = Function::ALL.into_iter().filter(|other| *other != function && kind(*other) == kind(function));
     found.extend(others.map(|other| {
         let kind = format!("{} as {}", function.name(), other.name());
         Wrong::new(kind, Expr::Call(other, argument.clone().into()))

@@ -5,6 +5,7 @@ use super::choice::{atan2, choice, signum};
 use closedform_maxima::ast::{BinaryOperator, Expr as Ast, ExprKind, UnaryOperator};
 use closedform_maxima::{Relation, exact};
 use closedform_syntax::{Function, FunctionDomain};
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::ops::Range;
@@ -110,7 +111,7 @@ const NOT_YET: &str = "this function is not known yet: compute its value outside
 /// What to do instead of calling a function of Maxima that kernels may know one day; none for any other name.
 #[must_use]
 pub fn remedy_of_function(name: &str) -> Option<&'static str> {
-    const FUNCTIONS: [&str; 6] = ["erf", "gamma", "floor", "ceiling", "round", "mod"];
+    const FUNCTIONS: [&str; 2] = ["erf", "gamma"];
     FUNCTIONS.contains(&name).then_some(NOT_YET)
 }
 
@@ -201,7 +202,7 @@ fn called(function: Function, argument: Expr, ast: &Ast) -> Result<Expr, LowerEr
             remedy: "correct the argument: kernels compute real numbers".to_owned(),
             span: ast.span.clone(),
         }),
-        Some(exact) => Ok(Expr::integer(exact)),
+        Some(exact) => Ok(Expr::Rational(exact.into())),
         None => Ok(Expr::call(function, argument)),
     }
 }
@@ -233,16 +234,21 @@ fn constant(expr: &Expr) -> Option<BigRational> {
     }
 }
 
+/// The function of the table that worksheets call so: `entier` is another name of `floor`.
+fn in_worksheets(name: &str) -> Option<Function> {
+    Function::in_worksheets(if name == "entier" { "floor" } else { name })
+}
+
 /// Whether a name is that of a function of one number.
 #[must_use]
 pub fn is_function_of_one(name: &str) -> bool {
-    Function::in_worksheets(name).is_some() || COMPOSED.contains(&name)
+    in_worksheets(name).is_some() || COMPOSED.contains(&name)
 }
 
 /// Whether a function has a meaning of its own in a reference expression.
 #[must_use]
 pub fn is_known_function(name: &str) -> bool {
-    is_function_of_one(name) || ["atan2", "max", "min", "positive_root"].contains(&name)
+    is_function_of_one(name) || ["atan2", "max", "min", "mod", "positive_root"].contains(&name)
 }
 
 /// How the functions that may stand in a reference expression are written, but for `positive_root`.
@@ -250,7 +256,7 @@ pub fn is_known_function(name: &str) -> bool {
 pub fn known_functions() -> String {
     let of_table = Function::ALL.map(|function| function.properties().maxima).join(", ");
     let composed = COMPOSED.map(|name| format!("{name}(x)")).join(", ");
-    format!("{of_table}, {composed}, atan2(y, x), max(x, y, ..), min(x, y, ..)")
+    format!("{of_table}, {composed}, atan2(y, x), max(x, y, ..), min(x, y, ..), mod(x, y)")
 }
 
 /// What is said before the name of a function that is not known.
@@ -260,7 +266,7 @@ fn call(ast: &Ast) -> Result<Expr, LowerError> {
     let Some((name, arguments)) = ast.as_call() else {
         return Err(unsupported(ast, "this call", "write a formula of + - * / ^ sqrt abs and numbers"));
     };
-    if let (Some(function), [argument]) = (Function::in_worksheets(name), arguments) {
+    if let (Some(function), [argument]) = (in_worksheets(name), arguments) {
         return called(function, lower(argument)?, ast);
     }
     if let [argument] = arguments
@@ -274,6 +280,7 @@ fn call(ast: &Ast) -> Result<Expr, LowerError> {
             Ok(Expr::Extreme { largest: name == "max", items })
         }
         ("atan2", [y, x]) => Ok(atan2(lower(y)?, lower(x)?)),
+        ("mod", [x, y]) => remainder(lower(x)?, lower(y)?, y),
         ("positive_root", [polynomial, unknown]) => match unknown.as_symbol() {
             Some(unknown) => {
                 Ok(Expr::PositiveRoot { polynomial: Box::new(lower(polynomial)?), unknown: unknown.to_owned() })
@@ -327,18 +334,92 @@ fn composed(name: &str, x: Expr) -> Option<Expr> {
     })
 }
 
+/// `mod(x, y)`: what `y` leaves of `x`, `x - y*floor(x/y)`. Of no `y` that is 0, for which Maxima gives `x`: kernels divide.
+fn remainder(x: Expr, y: Expr, divisor: &Ast) -> Result<Expr, LowerError> {
+    if is_zero(&y) {
+        return Err(divides_by_zero(divisor));
+    }
+    let whole = called(Function::Floor, x.clone().over(y.clone()), divisor)?;
+    Ok(x.minus(y.times(whole)))
+}
+
 /// A power of a positive number: `exp(exponent * log(base))`.
 fn power_of_positive(base: Expr, exponent: Expr) -> Expr {
     Expr::call(Function::Exp, exponent.times(Expr::call(Function::Log, base)))
 }
 
 /// The value of a function at a number where it is one; that of a root is found by the algebra.
-fn exact_value(function: Function, argument: &BigRational) -> Option<i64> {
+fn exact_value(function: Function, argument: &BigRational) -> Option<BigInt> {
     let is = |number: i64| *argument == BigRational::from_integer(number.into());
     match function {
-        Function::Exp | Function::Cos if is(0) => Some(1),
-        Function::Log | Function::Acos if is(1) => Some(0),
-        Function::Sin | Function::Tan | Function::Asin | Function::Atan if is(0) => Some(0),
+        Function::Exp | Function::Cos if is(0) => Some(1.into()),
+        Function::Log | Function::Acos if is(1) => Some(0.into()),
+        Function::Sin | Function::Tan | Function::Asin | Function::Atan if is(0) => Some(0.into()),
+        Function::Floor => Some(argument.floor().to_integer()),
+        Function::Ceiling => Some(argument.ceil().to_integer()),
+        Function::Round => Some(nearest_integer(argument)),
+        Function::Truncate => Some(argument.to_integer()),
         _ => None,
+    }
+}
+
+/// The nearest integer; of two that are as near, the even one.
+fn nearest_integer(value: &BigRational) -> BigInt {
+    let half = BigRational::new(1.into(), 2.into());
+    let up = (value + &half).floor();
+    let is_in_the_middle = &up - value == half;
+    let nearest = up.to_integer();
+    if is_in_the_middle && nearest.bit(0) { nearest - 1 } else { nearest }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use closedform_maxima::parse_expression;
+
+    fn lowered(text: &str) -> Result<Expr, LowerError> {
+        lower(&parse_expression(text).unwrap())
+    }
+
+    #[test]
+    fn integers_of_numbers_are_exact() {
+        for (text, value) in [
+            ("floor(-5/2)", -3),
+            ("ceiling(-5/2)", -2),
+            ("truncate(-5/2)", -2),
+            ("round(-5/2)", -2),
+            ("round(-3/2)", -2),
+            ("round(1/2)", 0),
+            ("round(3/2)", 2),
+            ("round(0.7)", 1),
+            ("entier(7/2)+floor(3*(1/3))", 4),
+            ("mod(-7,3)", 2),
+            ("mod(7,-3)", -2),
+        ] {
+            let value = BigRational::from_integer(value.into());
+            assert_eq!(constant(&lowered(text).unwrap()), Some(value), "{text}");
+        }
+    }
+
+    #[test]
+    fn remainders_and_integers_of_inputs_are_calls() {
+        let (x, y) = (Expr::symbol("x"), Expr::symbol("y"));
+        let floor = Expr::call(Function::Floor, x.clone().over(y.clone()));
+        assert_eq!(lowered("mod(x,y)"), Ok(x.clone().minus(y.times(floor))));
+        assert_eq!(lowered("entier(x)"), lowered("floor(x)"));
+        assert_eq!(lowered("floor(x)").unwrap().derivative("x"), None);
+        for (name, function) in
+            [("ceiling", Function::Ceiling), ("round", Function::Round), ("truncate", Function::Truncate)]
+        {
+            assert_eq!(lowered(&format!("{name}(x)")), Ok(Expr::call(function, x.clone())));
+        }
+    }
+
+    #[test]
+    fn what_is_left_by_zero_is_refused() {
+        for text in ["mod(x,0)", "mod(x,1-1)"] {
+            assert!(lowered(text).unwrap_err().what.contains("divides by zero"), "{text}");
+        }
+        assert!(lowered("mod(x)").unwrap_err().what.contains("`mod` has 1 arguments"));
     }
 }

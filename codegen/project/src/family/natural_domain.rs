@@ -123,6 +123,11 @@ impl Needs {
                     let sum = binary(BinaryOperator::Add, squared(x.clone()), squared(y.clone()));
                     self.condition(&sum, Relation::Greater);
                 }
+                Some(("mod", [x, y])) => {
+                    self.collect(x);
+                    self.collect(y);
+                    self.not_zero(y);
+                }
                 // the unknown of a polynomial root is no input
                 Some(("positive_root", _)) => {}
                 _ => arguments.iter().for_each(|argument| self.collect(argument)),
@@ -278,6 +283,7 @@ mod tests {
         assert_eq!(texts("a/%pi+a^2", &["a"]), [""; 0]);
         assert_eq!(texts("atan2(a,b/a)", &["a", "b"]), ["a # 0", "(b/a)^2+a^2 > 0"]);
         assert_eq!(texts("(a/b)^(2/3)-a^(1/3)", &["a", "b"]), ["b # 0"]);
+        assert_eq!(texts("mod(1/a,b-a)+mod(a,2)", &["a", "b"]), ["a # 0", "b-a # 0"]);
         assert_eq!(texts("a^(-1/3)+sqrt((a-b)^(1/3))", &["a", "b"]), ["a # 0", "a-b >= 0"]);
     }
 

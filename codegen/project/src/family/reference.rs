@@ -287,8 +287,9 @@ impl<'a> Body<'a> {
     fn call(&mut self, expression: &'a Expr) {
         match expression.as_call() {
             Some((name, [argument])) if is_function_of_one(name) => self.expression(argument),
-            Some(("max" | "min", items @ [_, _, ..])) => items.iter().for_each(|item| self.expression(item)),
-            Some(("atan2", [y, x])) => [y, x].into_iter().for_each(|item| self.expression(item)),
+            Some(("max" | "min", items @ [_, _, ..]) | ("atan2" | "mod", items @ [_, _])) => {
+                items.iter().for_each(|item| self.expression(item))
+            }
             Some(("positive_root", [polynomial, variable])) => self.root(polynomial, variable),
             Some((name, _)) => {
                 let (worksheet, name) = (self.definition.name.clone(), name.to_owned());

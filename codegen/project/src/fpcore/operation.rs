@@ -23,6 +23,11 @@ pub(super) fn operation(name: &str, operands: Vec<Value>, span: &Range<usize>) -
     {
         return folded;
     }
+    if name == "round" {
+        let what = "`round`, which turns from the middle between two integers away from zero";
+        let remedy = "write `nearbyint`, which turns to the even one, or `floor` and `ceil` on the side that is meant";
+        return Err(CoreMistake::new(what, remedy, span.clone()));
+    }
     let Some(fits) = arity(name) else {
         return Value::made(span, operands, |operands| called(&maxima_name(name), operands));
     };
@@ -36,6 +41,7 @@ fn arity(name: &str) -> Option<fn(usize) -> bool> {
         "-" => |count| count == 1 || count == 2,
         "/" | "fmin" | "fmax" | "fdim" | "hypot" | "pow" => |count| count == 2,
         "fabs" | "sqrt" | "cbrt" | "not" | "expm1" | "log1p" | "exp2" | "log2" | "log10" => |count| count == 1,
+        "floor" | "ceil" | "trunc" | "nearbyint" | "rint" => |count| count == 1,
         "fma" => |count| count == 3,
         "and" | "or" => |count| count >= 1,
         "<" | ">" | "<=" | ">=" | "==" | "!=" => |count| count >= 1,
@@ -77,6 +83,10 @@ fn known(name: &str, operands: Vec<Expr>) -> Expr {
             ExprKind::Unary { operator: UnaryOperator::Not, operand: Box::new(operand.clone()) }.into()
         }
         (_, "fabs", _) => called("abs", operands),
+        (_, "ceil", _) => called("ceiling", operands),
+        (_, "trunc", _) => called("truncate", operands),
+        // as processors do it unless they are told otherwise: from the middle to the even one
+        (_, "nearbyint" | "rint", _) => called("round", operands),
         (_, "fmin", _) => called("min", operands),
         (_, "fmax", _) => called("max", operands),
         (_, "fdim", [x, y]) => called("max", vec![binary(BinaryOperator::Subtract, x.clone(), y.clone()), integer(0)]),
