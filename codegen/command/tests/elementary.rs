@@ -1,4 +1,4 @@
-//! Formulas with elementary functions become kernels that certify every call, and keep their bounds where digits cancel.
+//! Formulas with elementary functions, steps and branches become kernels that certify every call, and keep their bounds where digits cancel.
 
 mod common;
 
@@ -11,7 +11,8 @@ fn generated() -> (tempfile::TempDir, Catalogue) {
     let _turn = turn();
     let folder = tempfile::tempdir().unwrap();
     let (worksheet, out) = (repository().join("codegen/command/tests/elementary.mac"), folder.path().join("made"));
-    succeeds(&repository(), &["generate", "--input", worksheet.to_str().unwrap(), "--out", out.to_str().unwrap()]);
+    let [input, out_folder] = [&worksheet, &out].map(|path| path.to_str().unwrap());
+    succeeds(&repository(), &["generate", "--strict", "--input", input, "--out", out_folder]);
     let catalogue = Catalogue::open(&Project::at(&out).unwrap()).unwrap();
     (folder, catalogue)
 }
@@ -35,7 +36,6 @@ fn points(entry: &Entry) -> Vec<Vec<f64>> {
 #[test]
 fn every_formula_is_made_and_keeps_its_bound() {
     let (_folder, catalogue) = generated();
-    assert!(catalogue.entries().len() > 10);
     for entry in catalogue.entries() {
         let (reference, mut judged) = (Reference::of(&entry.kernel).unwrap(), 0);
         for point in points(entry) {
@@ -63,4 +63,21 @@ fn values_that_are_rational_are_exact() {
     assert_eq!(value("decay", &[0.0, 3.0]), 0.0);
     assert_eq!(value("sigmoid", &[0.0]), 0.5);
     assert_eq!(value("fifth", &[1.0]), 2.0);
+    assert_eq!(value("fraction", &[-0.25]), 0.75);
+    assert_eq!(value("ticks", &[2.5, 1.0]), 2.0);
+}
+
+#[test]
+fn branches_are_taken_at_their_edges() {
+    let (_folder, catalogue) = generated();
+    let value = |name: &str, point: &[f64]| results(&catalogue.find(name).unwrap().kernel, point).unwrap()[0];
+    assert_eq!(value("sinc", &[0.0]), 1.0);
+    assert_eq!(value("guarded", &[9.0]), 8.0_f64.sqrt());
+    assert_eq!(value("guarded", &[9.0_f64.next_up()]), 1.0 / 82.0);
+    assert_eq!([-1.0, 0.0, 1.0, 2.0].map(|x| value("tent", &[x])), [0.0, 1.0, 0.0, 1.0]);
+    assert_eq!([-3.0, -2.0, 1.0].map(|r| value("huber", &[r, 2.0])), [4.0, 2.0, 0.5]);
+    let pi = std::f64::consts::PI;
+    assert_eq!([[-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]].map(|point| value("slope", &point)), [pi, pi / 2.0, -pi / 2.0]);
+    assert!(value("slope", &[0.0, 0.0]).is_nan());
+    assert_eq!(value("sided", &[0.0]), 0.0);
 }

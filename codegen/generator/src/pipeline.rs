@@ -288,7 +288,10 @@ fn as_written(family: &Family, kernel: &KernelContract, because: String) -> Resu
     let made = make_as_written(&family.contract, kernel, &references_of(family, kernel), because)?;
     match beyond_the_language(family, &made) {
         None => Ok(made),
-        Some(_) => Err(KernelError::Written { function: kernel.name.clone(), cause: WrittenError::TooLarge }),
+        Some(because) => {
+            let cause = WrittenError::BeyondTheLanguage(because);
+            Err(KernelError::Written { function: kernel.name.clone(), cause })
+        }
     }
 }
 
@@ -296,7 +299,7 @@ fn as_written(family: &Family, kernel: &KernelContract, because: String) -> Resu
 /// expressions above all.
 fn beyond_the_language(family: &Family, kernel: &KernelText) -> Option<String> {
     let cause = closedform_syntax::parse_file(&module_text(family, std::slice::from_ref(kernel))).err()?;
-    Some(format!("its stable form is beyond the kernel language: {cause}"))
+    Some(cause.to_string())
 }
 
 fn make_kernel(
@@ -321,7 +324,9 @@ fn make_kernel(
         Err(cause) if cause.leaves_the_formula_as_written() => as_written(family, kernel, cause.to_string()),
         Err(cause) => Err(cause),
         Ok(made) => match beyond_the_language(family, &made) {
-            Some(because) => as_written(family, kernel, because),
+            Some(cause) => {
+                as_written(family, kernel, format!("its stable form is beyond the kernel language: {cause}"))
+            }
             None => Ok(made),
         },
     };

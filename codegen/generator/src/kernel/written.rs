@@ -30,9 +30,9 @@ pub enum WrittenError {
     /// A quotient by the number zero.
     #[error("it divides by zero")]
     DivisionByZero,
-    /// A formula of very many steps.
-    #[error("it has more steps than a kernel may have, written one by one: split it into functions of fewer")]
-    TooLarge,
+    /// A formula of very many steps, mostly.
+    #[error("as it is written it is beyond the kernel language: {0}. Split it into functions of fewer steps")]
+    BeyondTheLanguage(String),
     /// The text takes a step that no formula as written has.
     #[error("its text has steps of another precision")]
     Compensated,

@@ -84,6 +84,8 @@ fn stem(graph: &Graph, node: Node) -> &'static str {
         Op::Sub(..) => "difference",
         Op::Mul(..) => "product",
         Op::Div(..) => "quotient",
+        // their nouns are names of functions
+        Op::Call(function, _) if function.has_steps() => "whole",
         Op::Call(function, _) => last_word(function.properties().noun),
         Op::If(..) => "chosen",
         Op::Compensated(_) if graph.is_fused(node) => "polynomial",

@@ -157,6 +157,10 @@ impl Evaluator {
 
     fn unary(&mut self, operator: UnaryOperator, operand: &Expr, span: &Range<usize>) -> Evaluated {
         let operand = self.value(operand)?;
+        // of a comparison `not` takes the whole, not its sides
+        if operator == UnaryOperator::Not {
+            return Ok(Expr::new(ExprKind::Unary { operator, operand: Box::new(operand) }, span.clone()));
+        }
         Ok(arrays::each(&operand, &mut |item| {
             Expr::new(ExprKind::Unary { operator, operand: Box::new(item.clone()) }, span.clone())
         }))

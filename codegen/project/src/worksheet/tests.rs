@@ -119,6 +119,7 @@ fn numbers_decide_conditions_and_ends() {
     assert_eq!(last("f(x) := if x > 0 then sqrt(x) else error(\"negative\")$"), "f(x) = sqrt(x)");
     let conditions =
         |text: &str| reading(text).formulas.pop().unwrap().conditions.iter().map(spelt).collect::<Vec<_>>();
+    assert_eq!(last("f(x) := if not (x > 9) then x else 1$"), "f(x) = if not x>9 then x else 1");
     assert_eq!(conditions("f(x) := if x > 0 then sqrt(x) else error(\"negative\")$"), ["x > 0"]);
     assert_eq!(conditions("f(x,y) := if x < y then false elseif equal(y,0) then und else x/y$").len(), 2);
     assert_eq!(conditions("g(x) := if x >= 1 then x else error()$ h(z) := g(z-1)$"), ["z-1 >= 1"]);
