@@ -39,7 +39,7 @@ fn arity(name: &str) -> Option<fn(usize) -> bool> {
     Some(match name {
         "+" | "*" => |count| count >= 1,
         "-" => |count| count == 1 || count == 2,
-        "/" | "fmin" | "fmax" | "fdim" | "hypot" | "pow" => |count| count == 2,
+        "/" | "fmin" | "fmax" | "fdim" | "hypot" | "pow" | "atan2" => |count| count == 2,
         "fabs" | "sqrt" | "cbrt" | "not" | "expm1" | "log1p" | "exp2" | "log2" | "log10" => |count| count == 1,
         "floor" | "ceil" | "trunc" | "nearbyint" | "rint" => |count| count == 1,
         "fma" => |count| count == 3,

@@ -44,6 +44,7 @@ fn every_operation_has_its_formula() {
         ("(hypot x y)", "sqrt(x^2+y^2)"),
         ("(fmin x (fmax y z))", "min(x,max(y,z))"),
         ("(fdim x y)", "max(x-y,0)"),
+        ("(atan2 y x)", "atan2(y,x)"),
         ("(* PI (+ SQRT2 M_1_PI))", "%pi*(sqrt(2)+1/%pi)"),
         ("(expm1 x)", "exp(x)-1"),
         ("(- (floor x) (ceil x))", "floor(x)-ceiling(x)"),
