@@ -1,8 +1,8 @@
 //! Maxima text to exact expressions: what the generator understands, and a clear word about what it does not.
 
-use super::Expr;
-use super::choice::{atan2, choice, signum};
-use closedform_maxima::ast::{BinaryOperator, Expr as Ast, ExprKind, UnaryOperator};
+use super::choice::{atan2, signum};
+use super::tree::{Expr, Test};
+use closedform_maxima::ast::{BinaryOperator, Branch, Expr as Ast, ExprKind, UnaryOperator};
 use closedform_maxima::{Relation, exact};
 use closedform_syntax::{Function, FunctionDomain};
 use num_bigint::BigInt;
@@ -60,7 +60,37 @@ pub fn lower(ast: &Ast) -> Result<Expr, LowerError> {
     }
 }
 
-pub(super) fn unsupported(ast: &Ast, what: &str, remedy: &str) -> LowerError {
+/// The value of the first branch whose condition holds, else of `otherwise`.
+fn choice(branches: &[Branch], otherwise: Option<&Ast>, ast: &Ast) -> Result<Expr, LowerError> {
+    let Some(otherwise) = otherwise else {
+        let remedy = "write `else` and a value: without it there is none where no condition holds";
+        return Err(unsupported(ast, "an `if` without `else`", remedy));
+    };
+    branches.iter().rev().try_fold(lower(otherwise)?, |otherwise, Branch { condition, value }| {
+        Ok(Expr::Choice(test(condition)?, Box::new([lower(value)?, otherwise])))
+    })
+}
+
+fn test(condition: &Ast) -> Result<Test, LowerError> {
+    match &condition.kind {
+        ExprKind::Unary { operator: UnaryOperator::Not, operand } => Ok(Test::Not(Box::new(test(operand)?))),
+        ExprKind::Binary { operator: BinaryOperator::And, left, right } => {
+            Ok(Test::And(Box::new([test(left)?, test(right)?])))
+        }
+        ExprKind::Binary { operator: BinaryOperator::Or, left, right } => {
+            Ok(Test::Or(Box::new([test(left)?, test(right)?])))
+        }
+        ExprKind::Binary { operator: BinaryOperator::Compare(relation), left, right } => {
+            Ok(Test::Compare(*relation, Box::new([lower(left)?, lower(right)?])))
+        }
+        _ => {
+            let remedy = "compare with < <= > >= = #, and join comparisons with and, or, not";
+            Err(unsupported(condition, "such a condition", remedy))
+        }
+    }
+}
+
+fn unsupported(ast: &Ast, what: &str, remedy: &str) -> LowerError {
     LowerError {
         what: format!("{what} has no place in a reference expression"),
         remedy: remedy.to_owned(),
@@ -421,5 +451,21 @@ mod tests {
             assert!(lowered(text).unwrap_err().what.contains("divides by zero"), "{text}");
         }
         assert!(lowered("mod(x)").unwrap_err().what.contains("`mod` has 1 arguments"));
+    }
+
+    #[test]
+    fn branches_are_choices_in_choices() {
+        let nested = lowered("if a<b then x else (if not (c=d) or e#x then y else z)").unwrap();
+        assert_eq!(lowered("if a<b then x elseif not (c=d) or e#x then y else z").unwrap(), nested);
+        assert_eq!(nested.symbols().into_iter().collect::<String>(), "abcdexyz");
+        assert_eq!(lowered("signum(x)").unwrap(), lowered("if x>0 then 1 elseif x<0 then -1 else 0").unwrap());
+    }
+
+    #[test]
+    fn what_is_no_choice_between_numbers_is_refused() {
+        let told = |text: &str| lowered(text).unwrap_err().what;
+        assert!(told("if a<b then x").contains("without `else`"));
+        assert!(told("if f(a) then x else y").contains("such a condition"));
+        assert!(told("if a<b then erf(x) else y").contains("erf"));
     }
 }
