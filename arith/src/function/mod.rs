@@ -24,6 +24,7 @@ mod round;
 mod signs;
 mod sin;
 mod sqrt;
+mod stepped;
 mod tan;
 mod truncate;
 

@@ -1,56 +1,34 @@
 //! The integer part of a number.
 
-use super::{Cost, Definition, Domain, Parity, Properties, signs};
-use crate::ball::Ball;
+use core::cmp::Ordering;
+
+use super::stepped::Stepped;
+use super::{Parity, signs};
 use crate::double_double::DoubleDouble;
-use crate::error_model::Units;
-use crate::soft_float::SoftFloat;
-use crate::step::{self, Step};
+use crate::step::Step;
 
 /// The integer part: the nearest integer on the way to zero.
 pub(super) struct Truncate;
 
-impl Definition for Truncate {
-    const PROPERTIES: Properties = Properties {
-        name: "truncate",
-        noun: "integer part",
-        maxima: "truncate(x)",
-        exponent: None,
-        domain: Domain::All,
-        signs: [signs::NOT_POSITIVE, signs::ZERO, signs::NOT_NEGATIVE],
-        parity: Parity::Odd,
-        increases: true,
-        derivative: None,
-        error: Units::NONE,
-        double_double_error: 0.0,
-        cost: Cost::FREE,
-    };
+impl Stepped for Truncate {
+    const NAME: &'static str = "truncate";
+    const NOUN: &'static str = "integer part";
+    const MAXIMA: &'static str = "truncate(x)";
+    const SIGNS: [&'static [Ordering]; 3] = [signs::NOT_POSITIVE, signs::ZERO, signs::NOT_NEGATIVE];
+    const PARITY: Parity = Parity::Odd;
+    const STEP: Step = Step::Truncate;
 
     #[inline(always)]
-    fn double(x: f64) -> f64 {
+    fn in_double(x: f64) -> f64 {
         libm::trunc(x)
     }
 
-    fn double_double(x: DoubleDouble) -> DoubleDouble {
-        let way = if x.round() < 0.0 { libm::ceil } else { libm::floor };
-        step::double_double(x, way)
-    }
-
-    fn soft(x: SoftFloat) -> SoftFloat {
-        x.stepped(Step::Truncate)
-    }
-
-    fn ball<'a, const L: usize>(x: &Ball<'a, L>) -> Ball<'a, L> {
-        x.stepped(Step::Truncate)
-    }
-
-    #[inline(always)]
-    fn spread(x: f64, y: f64, error: f64) -> f64 {
-        step::spread(x, y, error, Self::double)
+    fn of_parts(x: DoubleDouble) -> fn(f64) -> f64 {
+        if x.round() < 0.0 { libm::ceil } else { libm::floor }
     }
 
     #[cfg(any(test, feature = "mpfr"))]
-    fn mpfr(x: &mut rug::Float) {
+    fn in_mpfr(x: &mut rug::Float) {
         x.trunc_mut();
     }
 }

@@ -39,18 +39,19 @@ pub fn evaluate_stable(expression: &Expr, inputs: &BTreeMap<String, f64>, bits: 
     let mut precision = first_precision(bits, spread);
     let evaluated = |precision| Evaluated::of(expression, &exact, precision);
     let mut first = evaluated(precision);
-    if first.reach > spread {
-        precision = first_precision(bits, first.reach);
+    let reach = first.notes.reach.get();
+    if reach > spread {
+        precision = first_precision(bits, reach);
         first = evaluated(precision);
     }
-    let (mut noise, mut near) = (count_noise(0, &first, low, precision), u32::from(first.is_near_step));
+    let (mut noise, mut near) = (count_noise(0, &first, low, precision), u32::from(first.notes.is_near_step.get()));
     let mut previous = first.value;
     while precision < PRECISION_LIMIT {
         precision *= 2;
         let found = evaluated(precision);
         noise = count_noise(noise, &found, low, precision);
-        near = if found.is_near_step { near + 1 } else { 0 };
-        let is_told = !found.lost_fraction && (near == 0 || near >= NOISE_COUNT);
+        near = if found.notes.is_near_step.get() { near + 1 } else { 0 };
+        let is_told = !found.notes.lost_fraction.get() && (near == 0 || near >= NOISE_COUNT);
         let next = found.value;
         match (&previous, &next) {
             (Ok(_), Ok(_)) if !is_told => previous = next,
@@ -66,18 +67,14 @@ pub fn evaluate_stable(expression: &Expr, inputs: &BTreeMap<String, f64>, bits: 
 /// A value at one precision, and what was noted on the way.
 struct Evaluated {
     value: Result<Float, EvalError>,
-    reach: u32,
-    is_near_step: bool,
-    lost_fraction: bool,
+    notes: Notes,
 }
 
 impl Evaluated {
     fn of(expression: &Expr, inputs: &BTreeMap<String, Float>, precision: u32) -> Self {
         let notes = Notes { takes_near_for_equal: true, ..Notes::default() };
         let value = evaluate_noting(expression, inputs, precision, &notes);
-        let Notes { reach, is_near_step, lost_fraction, .. } = notes;
-        let [is_near_step, lost_fraction] = [is_near_step, lost_fraction].map(|note| note.get());
-        Self { value, reach: reach.get(), is_near_step, lost_fraction }
+        Self { value, notes }
     }
 }
 
@@ -106,7 +103,10 @@ fn agree(earlier: &Float, later: &Float, bits: u32) -> bool {
 fn count_noise(count: u32, found: &Evaluated, low: i32, precision: u32) -> u32 {
     let border = i64::from(low) - i64::from(precision / 2);
     match &found.value {
-        Ok(value) if !found.lost_fraction && value.get_exp().is_none_or(|exponent| i64::from(exponent) < border) => {
+        Ok(value)
+            if !found.notes.lost_fraction.get()
+                && value.get_exp().is_none_or(|exponent| i64::from(exponent) < border) =>
+        {
             count + 1
         }
         _ => 0,

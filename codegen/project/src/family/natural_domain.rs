@@ -44,8 +44,8 @@ fn all(body: &Expr, parameters: &[String]) -> impl Iterator<Item = (String, Opti
 #[derive(Default)]
 struct Needs {
     found: Vec<(String, Vec<Clause>)>,
-    /// What holds on the sides of `if` around the current place.
-    guards: Vec<Expr>,
+    /// Where one of these holds, another side of an `if` is taken than that around the current place.
+    elsewhere: Vec<Expr>,
 }
 
 impl Needs {
@@ -60,8 +60,8 @@ impl Needs {
                 vec![vec![compared(relation, decided, integer(0))]]
             }
         };
-        // nothing is needed where another side of an `if` is taken
-        let clauses: Vec<Clause> = self.guards.iter().map(|guard| vec![fails(guard)]).chain(clauses).collect();
+        // nothing is needed where another side is taken
+        let clauses: Vec<Clause> = self.elsewhere.iter().map(|other| vec![other.clone()]).chain(clauses).collect();
         let text = text_of(&clauses);
         if has_input(expr) && !is_certain(&clauses) && self.found.iter().all(|(known, _)| *known != text) {
             self.found.push((text, clauses));
@@ -70,16 +70,16 @@ impl Needs {
 
     /// The sides of an `if`, each where it is taken; a condition is reached where those before it fail.
     fn choice(&mut self, branches: &[Branch], otherwise: Option<&Expr>) {
-        let outer = self.guards.len();
+        let outer = self.elsewhere.len();
         for Branch { condition, value } in branches {
             self.collect(condition);
-            self.guards.push(condition.clone());
+            self.elsewhere.push(fails(condition));
             self.collect(value);
-            self.guards.pop();
-            self.guards.push(fails(condition));
+            self.elsewhere.pop();
+            self.elsewhere.push(condition.clone());
         }
         otherwise.iter().for_each(|value| self.collect(value));
-        self.guards.truncate(outer);
+        self.elsewhere.truncate(outer);
     }
 
     fn collect(&mut self, expr: &Expr) {
