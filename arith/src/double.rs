@@ -1,6 +1,6 @@
 //! The arithmetic of `evaluate` in `f64`, and of the rounding errors that judges look at: `Real` for `f64`.
 
-use crate::bounded_double_double::BoundedDoubleDouble;
+use crate::bounded_pair::BoundedPair;
 use crate::function::Function;
 use crate::operand::Operand;
 use crate::polynomial::polynomial;
@@ -10,7 +10,7 @@ use crate::soft_float::SoftFloat;
 use crate::terms::Terms;
 
 impl Real for f64 {
-    type Extended = BoundedDoubleDouble;
+    type Extended = BoundedPair;
 
     #[inline(always)]
     fn literal(&self, value: f64) -> Self {
@@ -67,42 +67,42 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn two_sum(&self, other: &Self) -> BoundedDoubleDouble {
-        BoundedDoubleDouble::two_sum(*self, *other)
+    fn two_sum(&self, other: &Self) -> BoundedPair {
+        BoundedPair::two_sum(*self, *other)
     }
 
     #[inline(always)]
-    fn two_product(&self, other: &Self) -> BoundedDoubleDouble {
-        BoundedDoubleDouble::two_product(*self, *other)
+    fn two_product(&self, other: &Self) -> BoundedPair {
+        BoundedPair::two_product(*self, *other)
     }
 
     #[inline(always)]
-    fn extended_neg(extended: &BoundedDoubleDouble) -> BoundedDoubleDouble {
+    fn extended_neg(extended: &BoundedPair) -> BoundedPair {
         -*extended
     }
 
     #[inline(always)]
-    fn extended_add_exact(extended: &BoundedDoubleDouble, exact: &Self) -> BoundedDoubleDouble {
+    fn extended_add_exact(extended: &BoundedPair, exact: &Self) -> BoundedPair {
         *extended + *exact
     }
 
     #[inline(always)]
-    fn extended_add(left: &BoundedDoubleDouble, right: &BoundedDoubleDouble) -> BoundedDoubleDouble {
+    fn extended_add(left: &BoundedPair, right: &BoundedPair) -> BoundedPair {
         *left + *right
     }
 
     #[inline(always)]
-    fn extended_mul_exact(extended: &BoundedDoubleDouble, exact: &Self) -> BoundedDoubleDouble {
+    fn extended_mul_exact(extended: &BoundedPair, exact: &Self) -> BoundedPair {
         *extended * *exact
     }
 
     #[inline(always)]
-    fn extended_mul(left: &BoundedDoubleDouble, right: &BoundedDoubleDouble) -> BoundedDoubleDouble {
+    fn extended_mul(left: &BoundedPair, right: &BoundedPair) -> BoundedPair {
         *left * *right
     }
 
     #[inline(always)]
-    fn compensated(extended: &BoundedDoubleDouble, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
+    fn compensated(extended: &BoundedPair, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
         if extended.passes(threshold) {
             extended.round()
         } else {
@@ -111,7 +111,7 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn residual(extended: &BoundedDoubleDouble) -> Self {
+    fn residual(extended: &BoundedPair) -> Self {
         extended.round()
     }
 }

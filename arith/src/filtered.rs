@@ -3,7 +3,7 @@
 use core::cell::Cell;
 use core::cmp::Ordering;
 
-use crate::bounded_double_double::BoundedDoubleDouble;
+use crate::bounded_pair::BoundedPair;
 use crate::function::Function;
 use crate::operand::Operand;
 use crate::polynomial::polynomial;
@@ -96,19 +96,19 @@ impl<const WATCHED: bool> PartialOrd for Filtered<'_, WATCHED> {
 /// A compensated expression, and the flag that it raises to escalate.
 #[derive(Clone, Copy)]
 pub struct FilteredExtended<'a, const WATCHED: bool> {
-    extended: BoundedDoubleDouble,
+    extended: BoundedPair,
     escalate: &'a Cell<bool>,
 }
 
 impl<'a, const WATCHED: bool> FilteredExtended<'a, WATCHED> {
     #[inline(always)]
-    fn with(&self, extended: BoundedDoubleDouble) -> Self {
+    fn with(&self, extended: BoundedPair) -> Self {
         FilteredExtended { extended, escalate: self.escalate }
     }
 
-    /// A product of numbers with these leading parts.
+    /// A product of parts with these high ones.
     #[inline(always)]
-    fn product(extended: BoundedDoubleDouble, a: f64, b: f64, escalate: &'a Cell<bool>) -> Self {
+    fn product(extended: BoundedPair, a: f64, b: f64, escalate: &'a Cell<bool>) -> Self {
         FilteredExtended { extended: if WATCHED { extended.watched(a, b) } else { extended }, escalate }
     }
 
@@ -187,12 +187,12 @@ impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
 
     #[inline(always)]
     fn two_sum(&self, other: &Self) -> FilteredExtended<'a, WATCHED> {
-        FilteredExtended { extended: BoundedDoubleDouble::two_sum(self.value, other.value), escalate: self.escalate }
+        FilteredExtended { extended: BoundedPair::two_sum(self.value, other.value), escalate: self.escalate }
     }
 
     #[inline(always)]
     fn two_product(&self, other: &Self) -> FilteredExtended<'a, WATCHED> {
-        let product = BoundedDoubleDouble::two_product(self.value, other.value);
+        let product = BoundedPair::two_product(self.value, other.value);
         FilteredExtended::product(product, self.value, other.value, self.escalate)
     }
 
@@ -218,7 +218,7 @@ impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
     fn extended_mul_exact(extended: &FilteredExtended<'a, WATCHED>, exact: &Self) -> FilteredExtended<'a, WATCHED> {
         FilteredExtended::product(
             extended.extended * exact.value,
-            extended.extended.round(),
+            extended.extended.high(),
             exact.value,
             extended.escalate,
         )
@@ -231,8 +231,8 @@ impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
     ) -> FilteredExtended<'a, WATCHED> {
         FilteredExtended::product(
             left.extended * right.extended,
-            left.extended.round(),
-            right.extended.round(),
+            left.extended.high(),
+            right.extended.high(),
             left.escalate,
         )
     }

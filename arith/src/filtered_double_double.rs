@@ -7,7 +7,7 @@
 use core::cell::Cell;
 use core::cmp::Ordering;
 
-use crate::bounded_double_double::BoundedDoubleDouble;
+use crate::bounded_pair::BoundedPair;
 use crate::double_double::DoubleDouble;
 use crate::error_free::LARGEST_FACTOR;
 use crate::function::Function;
@@ -90,19 +90,19 @@ impl<const WATCHED: bool> PartialOrd for FilteredDoubleDouble<'_, WATCHED> {
 /// A compensated expression, and where to raise what it leaves.
 #[derive(Clone, Copy)]
 pub struct FilteredDoubleDoubleExtended<'a, const WATCHED: bool> {
-    extended: BoundedDoubleDouble,
+    extended: BoundedPair,
     escalate: &'a Cell<bool>,
 }
 
 impl<'a, const WATCHED: bool> FilteredDoubleDoubleExtended<'a, WATCHED> {
     #[inline(always)]
-    fn with(&self, extended: BoundedDoubleDouble) -> Self {
+    fn with(&self, extended: BoundedPair) -> Self {
         FilteredDoubleDoubleExtended { extended, escalate: self.escalate }
     }
 
-    /// A product of numbers with these leading parts.
+    /// A product of parts with these high ones.
     #[inline(always)]
-    fn product(extended: BoundedDoubleDouble, a: f64, b: f64, escalate: &'a Cell<bool>) -> Self {
+    fn product(extended: BoundedPair, a: f64, b: f64, escalate: &'a Cell<bool>) -> Self {
         FilteredDoubleDoubleExtended { extended: if WATCHED { extended.watched(a, b) } else { extended }, escalate }
     }
 
@@ -179,7 +179,7 @@ impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
     #[inline(always)]
     fn two_sum(&self, other: &Self) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
         FilteredDoubleDoubleExtended {
-            extended: BoundedDoubleDouble::two_sum(self.value.round(), other.value.round()),
+            extended: BoundedPair::two_sum(self.value.round(), other.value.round()),
             escalate: self.escalate,
         }
     }
@@ -187,7 +187,7 @@ impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
     #[inline(always)]
     fn two_product(&self, other: &Self) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
         let (a, b) = (self.value.round(), other.value.round());
-        FilteredDoubleDoubleExtended::product(BoundedDoubleDouble::two_product(a, b), a, b, self.escalate)
+        FilteredDoubleDoubleExtended::product(BoundedPair::two_product(a, b), a, b, self.escalate)
     }
 
     #[inline(always)]
@@ -219,7 +219,7 @@ impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
         let exact = exact.value.round();
         FilteredDoubleDoubleExtended::product(
             extended.extended * exact,
-            extended.extended.round(),
+            extended.extended.high(),
             exact,
             extended.escalate,
         )
@@ -232,8 +232,8 @@ impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
     ) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
         FilteredDoubleDoubleExtended::product(
             left.extended * right.extended,
-            left.extended.round(),
-            right.extended.round(),
+            left.extended.high(),
+            right.extended.high(),
             left.escalate,
         )
     }

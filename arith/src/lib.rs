@@ -21,7 +21,7 @@ extern crate std;
 
 mod ball;
 mod bounded;
-mod bounded_double_double;
+mod bounded_pair;
 mod double;
 mod double_double;
 mod error_free;

@@ -1,4 +1,4 @@
-//! Compensated expressions, what `compensated!` and `residual!` take: which double-double operation each step is, and its exact terms.
+//! Compensated expressions, what `compensated!` and `residual!` take: which operation on pairs each step is, and its exact terms.
 //!
 //! Interpreter and macro both read compensated expressions by these functions, so they cannot disagree.
 
@@ -15,7 +15,7 @@ use crate::kernel::{BinaryOp, CompensatedExpr, Expr};
 pub enum Part<'e> {
     /// A literal or a name, or the negative of one: it counts as exact.
     Operand(Operand<'e>),
-    /// A number in double-double.
+    /// A pair.
     Extended(Extended<'e>),
 }
 
@@ -28,7 +28,7 @@ pub struct Operand<'e> {
     pub negative: bool,
 }
 
-/// A number in double-double: a sum or a product.
+/// A pair: a sum or a product.
 #[derive(Clone, Copy, Debug)]
 pub struct Extended<'e> {
     op: BinaryOp,
@@ -38,20 +38,20 @@ pub struct Extended<'e> {
     pub negative: bool,
 }
 
-/// The operation that makes a number in double-double: the cheapest one that the kinds of its operands allow.
+/// The operation that makes a pair: the cheapest one that the kinds of its operands allow.
 #[derive(Clone, Copy, Debug)]
 pub enum Operation<'e> {
     /// The sum of two operands, error-free.
     TwoSum(Operand<'e>, Operand<'e>),
     /// The product of two operands, error-free.
     TwoProduct(Operand<'e>, Operand<'e>),
-    /// The sum of a number in double-double and an operand.
+    /// The sum of a pair and an operand.
     AddExact(Extended<'e>, Operand<'e>),
-    /// The sum of two numbers in double-double.
+    /// The sum of two pairs.
     Add(Extended<'e>, Extended<'e>),
-    /// The product of a number in double-double and an operand.
+    /// The product of a pair and an operand.
     MulExact(Extended<'e>, Operand<'e>),
-    /// The product of two numbers in double-double.
+    /// The product of two pairs.
     Mul(Extended<'e>, Extended<'e>),
 }
 
@@ -119,7 +119,7 @@ impl CompensatedExpr {
     pub fn new(value: Expr) -> Result<Self, &'static str> {
         let mut operands = Vec::new();
         let terms: Vec<u8> = expand(&value, &mut operands)?.iter().flat_map(Product::compact).collect();
-        let threshold = compensated::threshold(error(&value).units);
+        let threshold = compensated::threshold(count(&value).error());
         let worth = |form: &Form| form.height <= MAX_STACK && terms.len() > WORTH * form.steps.len();
         let factored = factored(&value, &operands).filter(worth);
         let factored = factored.map_or_else(Vec::new, |form| form.steps);
@@ -242,33 +242,16 @@ fn same_leaf(a: &Expr, b: &Expr) -> bool {
     }
 }
 
-/// What is known of the error of a part of a compensated expression.
-struct PartError {
-    /// Whether it is an operand.
-    exact: bool,
-    /// The n of: its error is at most n 2^-106 times the sum of the magnitudes of its terms.
-    units: f64,
-}
-
 /// Counts what the operations of a compensated expression add, by the error model.
-fn error(expr: &Expr) -> PartError {
-    let extended = |units| PartError { exact: false, units };
+fn count(expr: &Expr) -> compensated::Part {
     match expr {
-        Expr::Neg(inner) => error(inner),
+        Expr::Neg(inner) => count(inner),
         Expr::Binary { op, left, right } => {
-            let (left, right) = (error(left), error(right));
-            let (larger, both) = (left.units.max(right.units), left.units + right.units);
-            match (op, left.exact, right.exact) {
-                (BinaryOp::Mul, true, true) => extended(compensated::PRODUCT_OF_OPERANDS),
-                (BinaryOp::Mul, false, false) => extended(both + compensated::PRODUCT),
-                (BinaryOp::Mul, _, _) => extended(both + compensated::PRODUCT_WITH_OPERAND),
-                (_, true, true) => extended(compensated::SUM_OF_OPERANDS),
-                (_, false, false) => extended(larger + compensated::SUM),
-                (_, _, _) => extended(larger + compensated::SUM_WITH_OPERAND),
-            }
+            let (left, right) = (count(left), count(right));
+            if *op == BinaryOp::Mul { left.product(right) } else { left.sum(right) }
         }
-        Expr::Literal { .. } | Expr::Name(_) => PartError { exact: true, units: 0.0 },
-        // no part of a compensated expression: of anything else nothing is known
-        _ => extended(f64::INFINITY),
+        Expr::Literal { .. } | Expr::Name(_) => compensated::Part::OPERAND,
+        // no part of a compensated expression
+        _ => compensated::Part::UNKNOWN,
     }
 }

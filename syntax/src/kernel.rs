@@ -206,7 +206,7 @@ pub enum Expr {
     PositiveRoot(Vec<Expr>),
 }
 
-/// What stands in `compensated!`, and how it is evaluated where double-double cannot tell its digits.
+/// What stands in `compensated!`, and how it is evaluated where a pair cannot tell its digits.
 #[derive(Clone, Debug)]
 pub struct CompensatedExpr {
     /// The compensated expression: literals, names, `+ - *` and unary `-`.

@@ -67,7 +67,7 @@ impl Counter {
     }
 }
 
-/// The double-double operations of a compensated expression.
+/// The operations on pairs of a compensated expression.
 fn operations_inside(expression: &Expr) -> u32 {
     let mut count = 0;
     expression.visit(&mut |part| count += u32::from(matches!(part, Expr::Binary { .. })));

@@ -14,7 +14,7 @@ macro_rules! operations {
             /// Divisions.
             pub div: u32,
             $(#[doc = concat!("Calls of `", stringify!($field), "`.")] pub $field: u32,)*
-            /// Additions and multiplications in double-double, inside `compensated!` and `residual!`.
+            /// Additions and multiplications of pairs, inside `compensated!` and `residual!`.
             pub compensated: u32,
             /// Compensated expressions, each rounded once at its end.
             pub compensated_expressions: u32,
@@ -44,7 +44,7 @@ macro_rules! operations {
                 [("add", "addition", add), ("mul", "multiplication", mul), ("div", "division", div)]
                     .into_iter()
                     .chain(calls)
-                    .chain([("compensated", "double-double operation", compensated), ("root", "polynomial root", root)])
+                    .chain([("compensated", "operation on pairs", compensated), ("root", "polynomial root", root)])
             }
         }
     };

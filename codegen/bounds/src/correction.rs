@@ -145,7 +145,7 @@ impl<'k> Proof<'_, 'k> {
         let right = matches!(expression, Expr::Compensated(_)) || self.terms_are_few(&coefficients, inner);
         Ok((!right).then_some(
             "the terms of its `residual!` are not shown to be of the size of the polynomial's, so that they may cancel \
-             beyond double-double: write `compensated!`",
+             beyond what two doubles hold: write `compensated!`",
         ))
     }
 
@@ -183,8 +183,7 @@ impl<'k> Proof<'_, 'k> {
     /// Whether the magnitudes of a compensated expression's terms are bounded by those of its coefficients, whatever the
     /// signs of inputs.
     fn terms_are_few(&self, coefficients: &[Polynomial], expression: &'k Expr) -> bool {
-        let operations = operations(expression);
-        let noise = trusted::double_double_operation() * integer(operations) * integer(2 * TERMS);
+        let noise = trusted::residual(operations(expression)) * integer(2 * TERMS);
         if noise > integer(1 << 40) {
             return false;
         }
@@ -227,8 +226,8 @@ impl<'k> Proof<'_, 'k> {
     }
 }
 
-fn operations(expression: &Expr) -> i64 {
+fn operations(expression: &Expr) -> usize {
     let mut count = 0;
-    expression.visit(&mut |part| count += i64::from(matches!(part, Expr::Binary { .. })));
+    expression.visit(&mut |part| count += usize::from(matches!(part, Expr::Binary { .. })));
     count
 }

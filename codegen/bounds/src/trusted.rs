@@ -34,11 +34,10 @@ pub fn correction() -> BigRational {
     exact(error_model::CORRECTION)
 }
 
-/// How many units of 2^-106 of the sum of its terms' magnitudes one operation in double-double can add to the error of
-/// a `residual!`.
+/// How many units of 2^-106 of the sum of its terms' magnitudes the error of a `residual!` of so many operations can be.
 #[must_use]
-pub fn double_double_operation() -> BigRational {
-    exact(error_model::RESIDUAL_OPERATION)
+pub fn residual(operations: usize) -> BigRational {
+    exact(error_model::RESIDUAL) * BigRational::from_integer((operations * operations).into())
 }
 
 /// The count of a step in double-double.

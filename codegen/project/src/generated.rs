@@ -52,7 +52,7 @@ pub struct Made {
     pub kernel: String,
     /// The rules of its program.
     pub rules: Vec<String>,
-    /// Additions, multiplications, divisions, roots, double-double operations.
+    /// Additions, multiplications, divisions, roots, operations on pairs.
     pub operations: [usize; 5],
     /// The largest bound of its results, in ulp.
     pub bound: f64,

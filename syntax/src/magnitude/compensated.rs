@@ -1,4 +1,4 @@
-//! Compensated expressions: the leading parts of their double-double numbers, and the sum of the magnitudes of their terms.
+//! Compensated expressions: the high parts of their pairs, and the sum of the magnitudes of their terms.
 
 use closedform_arith::range;
 
@@ -7,8 +7,9 @@ use crate::kernel::{BinaryOp, CompensatedExpr, Expr};
 use super::bounds::{Bounds, LEAST};
 use super::signs::Signs;
 
-/// Magnitudes between which a product in double-double is error-free, and that of a factor; a bit off the runtime's, since
-/// numbers in double-double are off by less than that from what they stand for.
+/// Magnitudes between which a product of pairs is error-free, and that of a factor; a bit off the runtime's. Where terms do not
+/// cancel, high parts are off by less than that from what pairs stand for; where they may, a high part is a multiple of what its
+/// pair is a multiple of, and nothing more is used.
 const PRODUCTS: (i64, i64) = (range::PRODUCT.0 + 1, range::PRODUCT.1 - 1);
 const FACTOR: i64 = range::FACTOR - 1;
 
@@ -19,7 +20,7 @@ struct Part {
     value: Bounds,
     /// The sum of the magnitudes of its terms.
     size: Bounds,
-    /// Whether it is a number in double-double, not an operand.
+    /// Whether it is a pair, not an operand.
     extended: bool,
 }
 

@@ -39,9 +39,9 @@ typedef struct cf_dd {
     double low;
 } cf_dd;
 
-/* A compensated expression, and the sum of the magnitudes of its terms. */
+/* A compensated expression: two numbers that add up to it, the second one of any size, and the sum of the magnitudes of its terms. */
 typedef struct cf_sum {
-    cf_dd value;
+    cf_dd pair;
     double size;
 } cf_sum;
 
@@ -129,11 +129,6 @@ static inline cf_dd cf_exact(double x) {
 static inline cf_dd cf_dd_negate(cf_dd x) {
     cf_dd negative = {-x.high, -x.low};
     return negative;
-}
-
-static inline cf_dd cf_plus_exact(cf_dd x, double y) {
-    cf_dd sum = cf_two_sum(x.high, y);
-    return cf_fast_two_sum(sum.high, x.low + sum.low);
 }
 
 static inline cf_dd cf_plus(cf_dd x, cf_dd y) {
@@ -237,58 +232,71 @@ static inline cf_sum cf_sum_of(double a, double b) {
 }
 
 static inline cf_sum cf_product_of(double a, double b) {
-    cf_sum product = {cf_two_product(a, b), fabs(a * b) + CF_UNDERFLOW};
-    return product;
+    cf_dd product = cf_two_product(a, b);
+    cf_sum sum = {product, fabs(product.high) + CF_UNDERFLOW};
+    return sum;
 }
 
 static inline cf_sum cf_sum_negate(cf_sum x) {
-    cf_sum negative = {cf_dd_negate(x.value), x.size};
+    cf_sum negative = {cf_dd_negate(x.pair), x.size};
     return negative;
 }
 
 static inline cf_sum cf_sum_plus_exact(cf_sum x, double y) {
-    cf_sum sum = {cf_plus_exact(x.value, y), x.size + fabs(y)};
+    cf_sum sum = {cf_two_sum(x.pair.high, y), x.size + fabs(y)};
+    sum.pair.low = x.pair.low + sum.pair.low;
     return sum;
 }
 
 static inline cf_sum cf_sum_plus(cf_sum x, cf_sum y) {
-    cf_sum sum = {cf_plus(x.value, y.value), x.size + y.size};
+    cf_sum sum = {cf_two_sum(x.pair.high, y.pair.high), x.size + y.size};
+    sum.pair.low = (x.pair.low + y.pair.low) + sum.pair.low;
     return sum;
 }
 
 static inline cf_sum cf_sum_times_exact(cf_sum x, double y) {
-    cf_sum product = {cf_times_exact(x.value, y), x.size * fabs(y) + CF_UNDERFLOW};
+    cf_sum product = {cf_two_product(x.pair.high, y), x.size * fabs(y) + CF_UNDERFLOW};
+    double low = x.pair.low * y;
+    product.pair.low = low + product.pair.low;
     return product;
 }
 
 static inline cf_sum cf_sum_times(cf_sum x, cf_sum y) {
-    cf_sum product = {cf_times(x.value, y.value), x.size * y.size + CF_UNDERFLOW};
+    cf_sum product = {cf_two_product(x.pair.high, y.pair.high), x.size * y.size + CF_UNDERFLOW};
+    double left = x.pair.high * y.pair.low;
+    double right = x.pair.low * y.pair.high;
+    product.pair.low = (left + right) + product.pair.low;
     return product;
+}
+
+/* The value rounded. */
+static inline double cf_sum_round(cf_sum x) {
+    return x.pair.high + x.pair.low;
 }
 
 /* Whether its digits are right; where they are not, finer tiers sum exactly. */
 static inline int cf_is_settled(cf_sum x, double threshold) {
-    return fabs(x.value.high) > threshold * x.size;
+    return fabs(cf_sum_round(x)) > threshold * x.size;
 }
 
 static inline double cf_compensated(cf_sum x, double threshold, unsigned *escalate) {
     *escalate |= (unsigned)!cf_is_settled(x, threshold);
-    return x.value.high;
+    return cf_sum_round(x);
 }
 
 static inline cf_dd cf_dd_compensated(cf_sum x, double threshold, unsigned *escalate) {
     *escalate |= (unsigned)!cf_is_settled(x, threshold);
-    return cf_in_range(x.value, 0, escalate);
+    return cf_in_range(cf_two_sum(x.pair.high, x.pair.low), 0, escalate);
 }
 
 static inline double cf_residual(cf_sum x, unsigned *escalate) {
     (void)escalate;
-    return x.value.high;
+    return cf_sum_round(x);
 }
 
 static inline cf_dd cf_dd_residual(cf_sum x, unsigned *escalate) {
     *escalate |= (unsigned)!cf_is_finite(x.size);
-    return cf_in_range(x.value, 1, escalate);
+    return cf_in_range(cf_two_sum(x.pair.high, x.pair.low), 1, escalate);
 }
 
 #endif

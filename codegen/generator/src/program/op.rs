@@ -20,7 +20,7 @@ pub enum Condition {
     Not(Box<Condition>),
 }
 
-/// A polynomial that is evaluated in double-double and rounded once.
+/// A polynomial that is evaluated in pairs of `f64` and rounded once.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum CompensatedExpr {
     /// An operand that counts as exact.

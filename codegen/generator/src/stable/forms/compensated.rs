@@ -1,4 +1,4 @@
-//! Rule `compensated`: what may cancel and cannot be rewritten is evaluated in double-double.
+//! Rule `compensated`: what may cancel and cannot be rewritten is evaluated in pairs of `f64`.
 
 use super::{differences_first, double_double};
 use crate::algebra::Polynomial;
@@ -10,11 +10,11 @@ use crate::stable::rule::Rule;
 /// The rule.
 pub const RULE: Rule = Rule {
     name: "compensated",
-    statement: "p(x, y, ..) is evaluated in double-double and rounded once",
+    statement: "p(x, y, ..) is evaluated in pairs of f64 and rounded once",
     condition: "p is a polynomial whose operands are exact: inputs, or values that define the problem",
 };
 
-/// The polynomial in double-double; the compensated expression is positive where the domain makes it so.
+/// The polynomial in pairs; the compensated expression is positive where the domain makes it so.
 ///
 /// # Errors
 /// When the tower has no room left.

@@ -12,7 +12,7 @@ use std::collections::HashMap;
 /// The rule.
 pub const RULE: Rule = Rule {
     name: "fused",
-    statement: "steps that make a polynomial of the inputs are evaluated in double-double and rounded once",
+    statement: "steps that make a polynomial of the inputs are evaluated in pairs of f64 and rounded once",
     condition: "a result of the kernel would be off by more than 4.5 ulp otherwise, or few roundings are asked for: it costs time",
 };
 

@@ -1,0 +1,135 @@
+//! `BoundedPair`: pair arithmetic that knows how large its terms are, hence when it cannot tell its own digits.
+//!
+//! A pair is the unevaluated sum of two `f64`, as a number in double-double is; but nothing makes the second one small beside the first
+//! after each operation, which takes half of the time of double-double and more. What its error is: M. Lange, S. M. Rump,
+//! "Faithfully rounded floating-point computations", ACM TOMS 46(3), 2020, and [here](crate::error_model::compensated).
+
+use core::ops::{Add, Mul, Neg};
+
+use crate::double_double::DoubleDouble;
+use crate::error_free::{product_is_error_free, two_product, two_sum};
+use crate::range;
+
+/// A part of a compensated expression, and the sum of the magnitudes of its terms.
+///
+/// With an n that the operations make ([`Part`](crate::error_model::compensated::Part)), |value - exact| is at most
+/// n u^2 size, where products add [`UNDERFLOW`] to the size: that much of it, times u^2, is more than a product loses when
+/// parts of it underflow. Overflow, and operands too large to split, end in a size that is infinite or a value that is
+/// NaN: both [fail the rounding test](Self::passes).
+#[derive(Clone, Copy, Debug)]
+pub struct BoundedPair {
+    /// What `f64` makes of the expression.
+    high: f64,
+    /// What that lost, to the digits of `f64`.
+    low: f64,
+    size: f64,
+}
+
+const UNDERFLOW: f64 = range::power_of_two(range::UNDERFLOW);
+
+impl BoundedPair {
+    /// `a + b`, exactly.
+    #[inline(always)]
+    pub(crate) fn two_sum(a: f64, b: f64) -> Self {
+        let (high, low) = two_sum(a, b);
+        BoundedPair { high, low, size: a.abs() + b.abs() }
+    }
+
+    /// `a * b`, exactly.
+    #[inline(always)]
+    pub(crate) fn two_product(a: f64, b: f64) -> Self {
+        let (high, low) = two_product(a, b);
+        BoundedPair { high, low, size: high.abs() + UNDERFLOW }
+    }
+
+    /// The same value in double-double, exactly.
+    #[inline(always)]
+    pub(crate) fn value(self) -> DoubleDouble {
+        DoubleDouble::two_sum(self.high, self.low)
+    }
+
+    /// The value rounded.
+    #[inline(always)]
+    pub(crate) fn round(self) -> f64 {
+        self.high + self.low
+    }
+
+    /// The part that products multiply without an error.
+    #[inline(always)]
+    pub(crate) fn high(self) -> f64 {
+        self.high
+    }
+
+    /// Whether the value is larger than `threshold` times its size; never of NaN.
+    #[inline(always)]
+    pub(crate) fn passes(self, threshold: f64) -> bool {
+        self.round().abs() > threshold * self.size
+    }
+
+    /// A product of parts with these high ones: of infinite size, and so below the rounding test in all that it becomes part of,
+    /// where a product of them may not be error-free, on some targets or on all.
+    #[inline(always)]
+    pub(crate) fn watched(self, a: f64, b: f64) -> Self {
+        let size = if product_is_error_free(a, b) { self.size } else { f64::INFINITY };
+        BoundedPair { size, ..self }
+    }
+
+    /// Whether nothing overflowed, and no [watched](Self::watched) product lost an error.
+    #[inline(always)]
+    pub(crate) fn whole(self) -> bool {
+        self.size.is_finite()
+    }
+}
+
+impl Neg for BoundedPair {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        BoundedPair { high: -self.high, low: -self.low, size: self.size }
+    }
+}
+
+impl Add<f64> for BoundedPair {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: f64) -> Self {
+        let (high, error) = two_sum(self.high, other);
+        BoundedPair { high, low: self.low + error, size: self.size + other.abs() }
+    }
+}
+
+impl Add for BoundedPair {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        let (high, error) = two_sum(self.high, other.high);
+        BoundedPair { high, low: (self.low + other.low) + error, size: self.size + other.size }
+    }
+}
+
+impl Mul<f64> for BoundedPair {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: f64) -> Self {
+        let (high, error) = two_product(self.high, other);
+        BoundedPair { high, low: self.low * other + error, size: self.size * other.abs() + UNDERFLOW }
+    }
+}
+
+impl Mul for BoundedPair {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let (high, error) = two_product(self.high, other.high);
+        let cross = self.high * other.low + self.low * other.high;
+        BoundedPair { high, low: cross + error, size: self.size * other.size + UNDERFLOW }
+    }
+}
+
+#[cfg(all(test, feature = "mpfr"))]
+mod tests;
