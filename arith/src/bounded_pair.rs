@@ -12,12 +12,14 @@ use crate::range;
 
 /// A part of a compensated expression, and the sum of the magnitudes of its terms.
 ///
+/// Not `WATCHED`, it is for operands of ordinary magnitudes: products of them are error-free.
+///
 /// With an n that the operations make ([`Part`](crate::error_model::compensated::Part)), |value - exact| is at most
-/// n u^2 size, where products add [`UNDERFLOW`] to the size: that much of it, times u^2, is more than a product loses when
-/// parts of it underflow. Overflow, and operands too large to split, end in a size that is infinite or a value that is
+/// n u^2 size, where products that are watched add 2^[`UNDERFLOW`](range::UNDERFLOW) to the size: that much of it,
+/// times u^2, is more than a product loses when parts of it underflow. Overflow, and operands too large to split, end in a size that is infinite or a value that is
 /// NaN: both [fail the rounding test](Self::passes).
 #[derive(Clone, Copy, Debug)]
-pub struct BoundedPair {
+pub struct BoundedPair<const WATCHED: bool> {
     /// What `f64` makes of the expression.
     high: f64,
     /// What that lost, to the digits of `f64`.
@@ -25,9 +27,12 @@ pub struct BoundedPair {
     size: f64,
 }
 
-const UNDERFLOW: f64 = range::power_of_two(range::UNDERFLOW);
+/// What a product adds to the size.
+const fn underflow(watched: bool) -> f64 {
+    if watched { range::power_of_two(range::UNDERFLOW) } else { -0.0 }
+}
 
-impl BoundedPair {
+impl<const WATCHED: bool> BoundedPair<WATCHED> {
     /// `a + b`, exactly.
     #[inline(always)]
     pub(crate) fn two_sum(a: f64, b: f64) -> Self {
@@ -39,7 +44,22 @@ impl BoundedPair {
     #[inline(always)]
     pub(crate) fn two_product(a: f64, b: f64) -> Self {
         let (high, low) = two_product(a, b);
-        BoundedPair { high, low, size: high.abs() + UNDERFLOW }
+        BoundedPair { high, low, size: Self::size_of_product(high.abs(), a, b) }
+    }
+
+    /// `a * power`, a power of two: exact but for what underflows.
+    #[inline(always)]
+    pub(crate) fn scaled(a: f64, power: f64) -> Self {
+        let high = a * power;
+        // minus zero, since compilers leave out a sum with it
+        BoundedPair { high, low: -0.0, size: high.abs() + underflow(WATCHED) }
+    }
+
+    /// The product with a power of two: rounds nothing, but for what underflows.
+    #[inline(always)]
+    pub(crate) fn times_power(self, power: f64) -> Self {
+        let size = self.size * power.abs() + underflow(WATCHED);
+        BoundedPair { high: self.high * power, low: self.low * power, size }
     }
 
     /// The same value in double-double, exactly.
@@ -54,34 +74,27 @@ impl BoundedPair {
         self.high + self.low
     }
 
-    /// The part that products multiply without an error.
-    #[inline(always)]
-    pub(crate) fn high(self) -> f64 {
-        self.high
-    }
-
     /// Whether the value is larger than `threshold` times its size; never of NaN.
     #[inline(always)]
     pub(crate) fn passes(self, threshold: f64) -> bool {
         self.round().abs() > threshold * self.size
     }
 
-    /// A product of parts with these high ones: of infinite size, and so below the rounding test in all that it becomes part of,
-    /// where a product of them may not be error-free, on some targets or on all.
+    /// The size of a product with these high parts: infinite, and so below the rounding test in all that it becomes part of, where the
+    /// product of them may not be error-free, on some targets or on all.
     #[inline(always)]
-    pub(crate) fn watched(self, a: f64, b: f64) -> Self {
-        let size = if product_is_error_free(a, b) { self.size } else { f64::INFINITY };
-        BoundedPair { size, ..self }
+    fn size_of_product(size: f64, a: f64, b: f64) -> f64 {
+        if !WATCHED || product_is_error_free(a, b) { size + underflow(WATCHED) } else { f64::INFINITY }
     }
 
-    /// Whether nothing overflowed, and no [watched](Self::watched) product lost an error.
+    /// Whether nothing overflowed, and no product that is watched lost an error.
     #[inline(always)]
     pub(crate) fn whole(self) -> bool {
         self.size.is_finite()
     }
 }
 
-impl Neg for BoundedPair {
+impl<const WATCHED: bool> Neg for BoundedPair<WATCHED> {
     type Output = Self;
 
     #[inline(always)]
@@ -90,7 +103,7 @@ impl Neg for BoundedPair {
     }
 }
 
-impl Add<f64> for BoundedPair {
+impl<const WATCHED: bool> Add<f64> for BoundedPair<WATCHED> {
     type Output = Self;
 
     #[inline(always)]
@@ -100,7 +113,7 @@ impl Add<f64> for BoundedPair {
     }
 }
 
-impl Add for BoundedPair {
+impl<const WATCHED: bool> Add for BoundedPair<WATCHED> {
     type Output = Self;
 
     #[inline(always)]
@@ -110,24 +123,26 @@ impl Add for BoundedPair {
     }
 }
 
-impl Mul<f64> for BoundedPair {
+impl<const WATCHED: bool> Mul<f64> for BoundedPair<WATCHED> {
     type Output = Self;
 
     #[inline(always)]
     fn mul(self, other: f64) -> Self {
         let (high, error) = two_product(self.high, other);
-        BoundedPair { high, low: self.low * other + error, size: self.size * other.abs() + UNDERFLOW }
+        let size = Self::size_of_product(self.size * other.abs(), self.high, other);
+        BoundedPair { high, low: self.low * other + error, size }
     }
 }
 
-impl Mul for BoundedPair {
+impl<const WATCHED: bool> Mul for BoundedPair<WATCHED> {
     type Output = Self;
 
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let (high, error) = two_product(self.high, other.high);
         let cross = self.high * other.low + self.low * other.high;
-        BoundedPair { high, low: cross + error, size: self.size * other.size + UNDERFLOW }
+        let size = Self::size_of_product(self.size * other.size, self.high, other.high);
+        BoundedPair { high, low: cross + error, size }
     }
 }
 

@@ -10,7 +10,7 @@ use crate::soft_float::SoftFloat;
 use crate::terms::Terms;
 
 impl Real for f64 {
-    type Extended = BoundedPair;
+    type Extended = BoundedPair<true>;
 
     #[inline(always)]
     fn literal(&self, value: f64) -> Self {
@@ -67,42 +67,52 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn two_sum(&self, other: &Self) -> BoundedPair {
+    fn two_sum(&self, other: &Self) -> BoundedPair<true> {
         BoundedPair::two_sum(*self, *other)
     }
 
     #[inline(always)]
-    fn two_product(&self, other: &Self) -> BoundedPair {
+    fn two_product(&self, other: &Self) -> BoundedPair<true> {
         BoundedPair::two_product(*self, *other)
     }
 
     #[inline(always)]
-    fn extended_neg(extended: &BoundedPair) -> BoundedPair {
+    fn extended_neg(extended: &BoundedPair<true>) -> BoundedPair<true> {
         -*extended
     }
 
     #[inline(always)]
-    fn extended_add_exact(extended: &BoundedPair, exact: &Self) -> BoundedPair {
+    fn extended_add_exact(extended: &BoundedPair<true>, exact: &Self) -> BoundedPair<true> {
         *extended + *exact
     }
 
     #[inline(always)]
-    fn extended_add(left: &BoundedPair, right: &BoundedPair) -> BoundedPair {
+    fn extended_add(left: &BoundedPair<true>, right: &BoundedPair<true>) -> BoundedPair<true> {
         *left + *right
     }
 
     #[inline(always)]
-    fn extended_mul_exact(extended: &BoundedPair, exact: &Self) -> BoundedPair {
+    fn extended_mul_exact(extended: &BoundedPair<true>, exact: &Self) -> BoundedPair<true> {
         *extended * *exact
     }
 
     #[inline(always)]
-    fn extended_mul(left: &BoundedPair, right: &BoundedPair) -> BoundedPair {
+    fn extended_mul(left: &BoundedPair<true>, right: &BoundedPair<true>) -> BoundedPair<true> {
         *left * *right
     }
 
     #[inline(always)]
-    fn compensated(extended: &BoundedPair, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
+    fn scaled(&self, power: &Self) -> BoundedPair<true> {
+        BoundedPair::scaled(*self, *power)
+    }
+
+    #[inline(always)]
+    fn extended_scaled(extended: &BoundedPair<true>, power: &Self) -> BoundedPair<true> {
+        extended.times_power(*power)
+    }
+
+    #[inline(always)]
+    fn compensated(extended: &BoundedPair<true>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
         if extended.passes(threshold) {
             extended.round()
         } else {
@@ -111,7 +121,7 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn residual(extended: &BoundedPair) -> Self {
+    fn residual(extended: &BoundedPair<true>) -> Self {
         extended.round()
     }
 }

@@ -4,6 +4,7 @@ use core::cell::Cell;
 use core::cmp::Ordering;
 
 use crate::bounded_pair::BoundedPair;
+use crate::escalating_pair::EscalatingPair;
 use crate::function::Function;
 use crate::operand::Operand;
 use crate::polynomial::polynomial;
@@ -52,6 +53,18 @@ impl<'a, const WATCHED: bool> Filtered<'a, WATCHED> {
         self.if_fine(value, !WATCHED | fine)
     }
 
+    /// A compensated expression with the same flag.
+    #[inline(always)]
+    fn paired(&self, pair: BoundedPair<WATCHED>) -> EscalatingPair<'a, WATCHED> {
+        EscalatingPair { pair, escalate: self.escalate }
+    }
+
+    /// A compensated expression rounded.
+    #[inline(always)]
+    fn rounded(extended: &EscalatingPair<'a, WATCHED>) -> Self {
+        Filtered { value: extended.pair.round(), escalate: extended.escalate }
+    }
+
     /// A number that is as it should be.
     #[inline(always)]
     fn with(&self, value: f64) -> Self {
@@ -93,33 +106,8 @@ impl<const WATCHED: bool> PartialOrd for Filtered<'_, WATCHED> {
     }
 }
 
-/// A compensated expression, and the flag that it raises to escalate.
-#[derive(Clone, Copy)]
-pub struct FilteredExtended<'a, const WATCHED: bool> {
-    extended: BoundedPair,
-    escalate: &'a Cell<bool>,
-}
-
-impl<'a, const WATCHED: bool> FilteredExtended<'a, WATCHED> {
-    #[inline(always)]
-    fn with(&self, extended: BoundedPair) -> Self {
-        FilteredExtended { extended, escalate: self.escalate }
-    }
-
-    /// A product of parts with these high ones.
-    #[inline(always)]
-    fn product(extended: BoundedPair, a: f64, b: f64, escalate: &'a Cell<bool>) -> Self {
-        FilteredExtended { extended: if WATCHED { extended.watched(a, b) } else { extended }, escalate }
-    }
-
-    #[inline(always)]
-    fn round(&self) -> Filtered<'a, WATCHED> {
-        Filtered { value: self.extended.round(), escalate: self.escalate }
-    }
-}
-
 impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
-    type Extended = FilteredExtended<'a, WATCHED>;
+    type Extended = EscalatingPair<'a, WATCHED>;
 
     #[inline(always)]
     fn literal(&self, value: f64) -> Self {
@@ -186,60 +174,59 @@ impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn two_sum(&self, other: &Self) -> FilteredExtended<'a, WATCHED> {
-        FilteredExtended { extended: BoundedPair::two_sum(self.value, other.value), escalate: self.escalate }
+    fn two_sum(&self, other: &Self) -> EscalatingPair<'a, WATCHED> {
+        self.paired(BoundedPair::two_sum(self.value, other.value))
     }
 
     #[inline(always)]
-    fn two_product(&self, other: &Self) -> FilteredExtended<'a, WATCHED> {
-        let product = BoundedPair::two_product(self.value, other.value);
-        FilteredExtended::product(product, self.value, other.value, self.escalate)
+    fn two_product(&self, other: &Self) -> EscalatingPair<'a, WATCHED> {
+        self.paired(BoundedPair::two_product(self.value, other.value))
     }
 
     #[inline(always)]
-    fn extended_neg(extended: &FilteredExtended<'a, WATCHED>) -> FilteredExtended<'a, WATCHED> {
-        extended.with(-extended.extended)
+    fn extended_neg(extended: &EscalatingPair<'a, WATCHED>) -> EscalatingPair<'a, WATCHED> {
+        extended.with(-extended.pair)
     }
 
     #[inline(always)]
-    fn extended_add_exact(extended: &FilteredExtended<'a, WATCHED>, exact: &Self) -> FilteredExtended<'a, WATCHED> {
-        extended.with(extended.extended + exact.value)
+    fn extended_add_exact(extended: &EscalatingPair<'a, WATCHED>, exact: &Self) -> EscalatingPair<'a, WATCHED> {
+        extended.with(extended.pair + exact.value)
     }
 
     #[inline(always)]
     fn extended_add(
-        left: &FilteredExtended<'a, WATCHED>,
-        right: &FilteredExtended<'a, WATCHED>,
-    ) -> FilteredExtended<'a, WATCHED> {
-        left.with(left.extended + right.extended)
+        left: &EscalatingPair<'a, WATCHED>,
+        right: &EscalatingPair<'a, WATCHED>,
+    ) -> EscalatingPair<'a, WATCHED> {
+        left.with(left.pair + right.pair)
     }
 
     #[inline(always)]
-    fn extended_mul_exact(extended: &FilteredExtended<'a, WATCHED>, exact: &Self) -> FilteredExtended<'a, WATCHED> {
-        FilteredExtended::product(
-            extended.extended * exact.value,
-            extended.extended.high(),
-            exact.value,
-            extended.escalate,
-        )
+    fn extended_mul_exact(extended: &EscalatingPair<'a, WATCHED>, exact: &Self) -> EscalatingPair<'a, WATCHED> {
+        extended.with(extended.pair * exact.value)
     }
 
     #[inline(always)]
     fn extended_mul(
-        left: &FilteredExtended<'a, WATCHED>,
-        right: &FilteredExtended<'a, WATCHED>,
-    ) -> FilteredExtended<'a, WATCHED> {
-        FilteredExtended::product(
-            left.extended * right.extended,
-            left.extended.high(),
-            right.extended.high(),
-            left.escalate,
-        )
+        left: &EscalatingPair<'a, WATCHED>,
+        right: &EscalatingPair<'a, WATCHED>,
+    ) -> EscalatingPair<'a, WATCHED> {
+        left.with(left.pair * right.pair)
     }
 
     #[inline(always)]
-    fn compensated(extended: &FilteredExtended<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
-        let (rounded, passes) = (extended.round(), extended.extended.passes(threshold));
+    fn scaled(&self, power: &Self) -> EscalatingPair<'a, WATCHED> {
+        self.paired(BoundedPair::scaled(self.value, power.value))
+    }
+
+    #[inline(always)]
+    fn extended_scaled(extended: &EscalatingPair<'a, WATCHED>, power: &Self) -> EscalatingPair<'a, WATCHED> {
+        extended.with(extended.pair.times_power(power.value))
+    }
+
+    #[inline(always)]
+    fn compensated(extended: &EscalatingPair<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
+        let (rounded, passes) = (Filtered::rounded(extended), extended.pair.passes(threshold));
         if !WATCHED {
             return rounded.if_fine(rounded.value, passes);
         }
@@ -252,8 +239,8 @@ impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn residual(extended: &FilteredExtended<'a, WATCHED>) -> Self {
-        let rounded = extended.round();
-        rounded.watched(rounded.value, extended.extended.whole())
+    fn residual(extended: &EscalatingPair<'a, WATCHED>) -> Self {
+        let rounded = Filtered::rounded(extended);
+        rounded.watched(rounded.value, extended.pair.whole())
     }
 }

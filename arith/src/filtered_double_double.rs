@@ -10,6 +10,7 @@ use core::cmp::Ordering;
 use crate::bounded_pair::BoundedPair;
 use crate::double_double::DoubleDouble;
 use crate::error_free::LARGEST_FACTOR;
+use crate::escalating_pair::EscalatingPair;
 use crate::function::Function;
 use crate::operand::Operand;
 use crate::polynomial::polynomial;
@@ -22,8 +23,9 @@ use crate::terms::Terms;
 /// A number in double-double; `escalate` is raised when a step leaves the range.
 ///
 /// Not `WATCHED`, it is for inputs of the kernel's ordinary magnitudes, at which the products inside compensated
-/// expressions are error-free. `WATCHED`, it is for all finite inputs: a compensated expression in which one may not be
-/// is summed exactly.
+/// expressions are error-free; one that has to be summed exactly escalates, and loops over it vectorise. `WATCHED`, it is for
+/// all finite inputs: a compensated expression in which a product may not be error-free is summed exactly, and so is one of which
+/// a pair cannot tell the digits.
 #[derive(Clone, Copy)]
 pub struct FilteredDoubleDouble<'a, const WATCHED: bool> {
     value: DoubleDouble,
@@ -61,6 +63,18 @@ impl<'a, const WATCHED: bool> FilteredDoubleDouble<'a, WATCHED> {
         self
     }
 
+    /// A compensated expression with the same flag.
+    #[inline(always)]
+    fn paired(&self, pair: BoundedPair<WATCHED>) -> EscalatingPair<'a, WATCHED> {
+        EscalatingPair { pair, escalate: self.escalate }
+    }
+
+    /// What a compensated expression evaluates to.
+    #[inline(always)]
+    fn of_pair(extended: &EscalatingPair<'a, WATCHED>) -> Self {
+        FilteredDoubleDouble { value: extended.pair.value(), escalate: extended.escalate }
+    }
+
     #[inline(always)]
     fn with(&self, value: DoubleDouble) -> Self {
         FilteredDoubleDouble { value, escalate: self.escalate }
@@ -87,33 +101,8 @@ impl<const WATCHED: bool> PartialOrd for FilteredDoubleDouble<'_, WATCHED> {
     }
 }
 
-/// A compensated expression, and where to raise what it leaves.
-#[derive(Clone, Copy)]
-pub struct FilteredDoubleDoubleExtended<'a, const WATCHED: bool> {
-    extended: BoundedPair,
-    escalate: &'a Cell<bool>,
-}
-
-impl<'a, const WATCHED: bool> FilteredDoubleDoubleExtended<'a, WATCHED> {
-    #[inline(always)]
-    fn with(&self, extended: BoundedPair) -> Self {
-        FilteredDoubleDoubleExtended { extended, escalate: self.escalate }
-    }
-
-    /// A product of parts with these high ones.
-    #[inline(always)]
-    fn product(extended: BoundedPair, a: f64, b: f64, escalate: &'a Cell<bool>) -> Self {
-        FilteredDoubleDoubleExtended { extended: if WATCHED { extended.watched(a, b) } else { extended }, escalate }
-    }
-
-    #[inline(always)]
-    fn value(&self) -> FilteredDoubleDouble<'a, WATCHED> {
-        FilteredDoubleDouble { value: self.extended.value(), escalate: self.escalate }
-    }
-}
-
 impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
-    type Extended = FilteredDoubleDoubleExtended<'a, WATCHED>;
+    type Extended = EscalatingPair<'a, WATCHED>;
 
     /// One that cannot be split as a factor leaves the range; a smaller one only makes its product leave it.
     #[inline(always)]
@@ -177,76 +166,62 @@ impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn two_sum(&self, other: &Self) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
-        FilteredDoubleDoubleExtended {
-            extended: BoundedPair::two_sum(self.value.round(), other.value.round()),
-            escalate: self.escalate,
-        }
+    fn two_sum(&self, other: &Self) -> EscalatingPair<'a, WATCHED> {
+        self.paired(BoundedPair::two_sum(self.value.round(), other.value.round()))
     }
 
     #[inline(always)]
-    fn two_product(&self, other: &Self) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
-        let (a, b) = (self.value.round(), other.value.round());
-        FilteredDoubleDoubleExtended::product(BoundedPair::two_product(a, b), a, b, self.escalate)
+    fn two_product(&self, other: &Self) -> EscalatingPair<'a, WATCHED> {
+        self.paired(BoundedPair::two_product(self.value.round(), other.value.round()))
     }
 
     #[inline(always)]
-    fn extended_neg(extended: &FilteredDoubleDoubleExtended<'a, WATCHED>) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
-        extended.with(-extended.extended)
+    fn extended_neg(extended: &EscalatingPair<'a, WATCHED>) -> EscalatingPair<'a, WATCHED> {
+        extended.with(-extended.pair)
     }
 
     #[inline(always)]
-    fn extended_add_exact(
-        extended: &FilteredDoubleDoubleExtended<'a, WATCHED>,
-        exact: &Self,
-    ) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
-        extended.with(extended.extended + exact.value.round())
+    fn extended_add_exact(extended: &EscalatingPair<'a, WATCHED>, exact: &Self) -> EscalatingPair<'a, WATCHED> {
+        extended.with(extended.pair + exact.value.round())
     }
 
     #[inline(always)]
     fn extended_add(
-        left: &FilteredDoubleDoubleExtended<'a, WATCHED>,
-        right: &FilteredDoubleDoubleExtended<'a, WATCHED>,
-    ) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
-        left.with(left.extended + right.extended)
+        left: &EscalatingPair<'a, WATCHED>,
+        right: &EscalatingPair<'a, WATCHED>,
+    ) -> EscalatingPair<'a, WATCHED> {
+        left.with(left.pair + right.pair)
     }
 
     #[inline(always)]
-    fn extended_mul_exact(
-        extended: &FilteredDoubleDoubleExtended<'a, WATCHED>,
-        exact: &Self,
-    ) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
-        let exact = exact.value.round();
-        FilteredDoubleDoubleExtended::product(
-            extended.extended * exact,
-            extended.extended.high(),
-            exact,
-            extended.escalate,
-        )
+    fn extended_mul_exact(extended: &EscalatingPair<'a, WATCHED>, exact: &Self) -> EscalatingPair<'a, WATCHED> {
+        extended.with(extended.pair * exact.value.round())
     }
 
     #[inline(always)]
     fn extended_mul(
-        left: &FilteredDoubleDoubleExtended<'a, WATCHED>,
-        right: &FilteredDoubleDoubleExtended<'a, WATCHED>,
-    ) -> FilteredDoubleDoubleExtended<'a, WATCHED> {
-        FilteredDoubleDoubleExtended::product(
-            left.extended * right.extended,
-            left.extended.high(),
-            right.extended.high(),
-            left.escalate,
-        )
+        left: &EscalatingPair<'a, WATCHED>,
+        right: &EscalatingPair<'a, WATCHED>,
+    ) -> EscalatingPair<'a, WATCHED> {
+        left.with(left.pair * right.pair)
     }
 
     #[inline(always)]
-    fn compensated(
-        extended: &FilteredDoubleDoubleExtended<'a, WATCHED>,
-        threshold: f64,
-        operands: &[&Self],
-        terms: Terms,
-    ) -> Self {
-        if extended.extended.passes(threshold) {
-            return extended.value().in_range(false);
+    fn scaled(&self, power: &Self) -> EscalatingPair<'a, WATCHED> {
+        self.paired(BoundedPair::scaled(self.value.round(), power.value.round()))
+    }
+
+    #[inline(always)]
+    fn extended_scaled(extended: &EscalatingPair<'a, WATCHED>, power: &Self) -> EscalatingPair<'a, WATCHED> {
+        extended.with(extended.pair.times_power(power.value.round()))
+    }
+
+    #[inline(always)]
+    fn compensated(extended: &EscalatingPair<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
+        let passes = extended.pair.passes(threshold);
+        if !WATCHED || passes {
+            extended.escalate.set(extended.escalate.get() | !passes);
+            return Self::of_pair(extended).in_range(false);
         }
         let read = |operand: &Self| Operand::of(operand.value.round());
         let sum = polynomial(operands, read, terms).unwrap_or(SoftFloat::NAN);
@@ -257,8 +232,8 @@ impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
 
     /// A residual of zero is as good as any below the last digit of the iterate.
     #[inline(always)]
-    fn residual(extended: &FilteredDoubleDoubleExtended<'a, WATCHED>) -> Self {
-        extended.escalate.set(extended.escalate.get() | !extended.extended.whole());
-        extended.value().in_range(true)
+    fn residual(extended: &EscalatingPair<'a, WATCHED>) -> Self {
+        extended.escalate.set(extended.escalate.get() | !extended.pair.whole());
+        Self::of_pair(extended).in_range(true)
     }
 }

@@ -26,6 +26,7 @@ mod double;
 mod double_double;
 mod error_free;
 pub mod error_model;
+mod escalating_pair;
 mod exact;
 pub mod factored;
 mod filtered;

@@ -13,6 +13,12 @@ pub const STEP: (i64, i64) = (-450, 450);
 /// What a product adds to the sum of the magnitudes of its terms: times u^2, still some 2^8 times what one underflow loses.
 pub const UNDERFLOW: i64 = -960;
 
+/// Whether a number is a normal power of two, or the negative of one.
+#[must_use]
+pub const fn is_power_of_two(value: f64) -> bool {
+    value.is_normal() && value.to_bits() << 12 == 0
+}
+
 /// 2^`exponent`, a normal number.
 #[must_use]
 pub const fn power_of_two(exponent: i64) -> f64 {

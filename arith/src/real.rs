@@ -53,6 +53,16 @@ pub trait Real: Clone + PartialOrd {
     fn extended_mul_exact(extended: &Self::Extended, exact: &Self) -> Self::Extended;
     /// `left * right`
     fn extended_mul(left: &Self::Extended, right: &Self::Extended) -> Self::Extended;
+    /// `self * power`, a power of two in the text of the program: exact in `f64`
+    #[inline(always)]
+    fn scaled(&self, power: &Self) -> Self::Extended {
+        self.two_product(power)
+    }
+    /// `extended * power`, a power of two in the text of the program
+    #[inline(always)]
+    fn extended_scaled(extended: &Self::Extended, power: &Self) -> Self::Extended {
+        Self::extended_mul_exact(extended, power)
+    }
     /// The value of a `compensated!` expression, to all digits: `extended` rounded once, if it is larger than `threshold` times
     /// the sum of the magnitudes of its terms; otherwise the sum of products that `terms` make of `operands`, exactly.
     fn compensated(extended: &Self::Extended, threshold: f64, operands: &[&Self], terms: Terms) -> Self;

@@ -30,13 +30,12 @@ impl Parts<'_> {
         let Parts { inputs, results, sizes, .. } = self;
         let checks = self.length_checks();
         let [name, first_tier, again] = [name, first_tier, again].map(|name| Ident::new(name, Span::call_site()));
-        let [escalate, escalated, row, any, block] =
-            ["__escalate", "__escalated", "__row", "__any", "__block"].map(|name| Ident::new(name, Span::mixed_site()));
-        let (pattern, blocks) = self.zipped(
-            |input| quote!(::closedform::__private::Blocks(#input)),
-            |result| quote!(::closedform::__private::BlocksMut(#result)),
-        );
-        let (_, rows) = self.zipped(|input| quote!(#input.iter()), |result| quote!(#result.iter_mut()));
+        let [escalate, escalated, row, any, block, rows, start, length] =
+            ["__escalate", "__escalated", "__row", "__any", "__block", "__rows", "__start", "__length"]
+                .map(|name| Ident::new(name, Span::mixed_site()));
+        let padded: Vec<Ident> =
+            (0..results.len()).map(|at| Ident::new(&format!("__padded{at}"), Span::mixed_site())).collect();
+        let count = results.len();
         quote! {
             #[doc = #documentation]
             ///
@@ -47,28 +46,33 @@ impl Parts<'_> {
                 #(#inputs: &[f64],)*
                 #(#results: &mut [f64]),*
             ) -> ::core::result::Result<(), ::closedform::LengthError> {
-                // Arguments of a function do not overlap: compilers need not look whether they do.
+                // Arguments of a function do not overlap: compilers need not look whether they do. Arrays of a known length need no
+                // bounds checks.
                 #[inline(never)]
                 fn #block(
-                    #(#inputs: &[f64],)*
-                    #(#results: &mut [f64],)*
+                    #(#inputs: &::closedform::__private::Column,)*
+                    #(#results: &mut ::closedform::__private::Column,)*
                     #escalated: &mut [u64; ::closedform::__private::BLOCK],
                 ) -> u64 {
                     let mut #any = 0;
-                    for (#pattern, #row) in #rows.zip(#escalated) {
+                    for #row in 0..::closedform::__private::BLOCK {
                         let #escalate = ::core::cell::Cell::new(0);
-                        [#(*#results),*] =
-                            ::closedform::__private::#first_tier::<Program, #sizes>(&[#(*#inputs),*], &#escalate);
-                        *#row = #escalate.get();
+                        [#(#results[#row]),*] = ::closedform::__private::#first_tier::<Program, #sizes>(
+                            &[#(#inputs[#row]),*],
+                            &#escalate,
+                        );
+                        #escalated[#row] = #escalate.get();
                         #any |= #escalate.get();
                     }
                     #any
                 }
-                #checks
-                let mut #escalated = [0; ::closedform::__private::BLOCK];
-                for #pattern in #blocks {
-                    if #block(#(#inputs,)* #(&mut *#results,)* &mut #escalated) == 0 {
-                        continue;
+                fn #rows(
+                    #(#inputs: &::closedform::__private::Column,)*
+                    #(#results: &mut ::closedform::__private::Column,)*
+                ) {
+                    let mut #escalated = [0; ::closedform::__private::BLOCK];
+                    if #block(#(#inputs,)* #(#results,)* &mut #escalated) == 0 {
+                        return;
                     }
                     for #row in ::closedform::__private::raised(&#escalated) {
                         if let (#(::core::option::Option::Some(#inputs),)* #(::core::option::Option::Some(#results)),*) =
@@ -77,6 +81,21 @@ impl Parts<'_> {
                             [#(*#results),*] = ::closedform::__private::#again::<Program, #sizes>(&[#(*#inputs),*]);
                         }
                     }
+                }
+                #checks
+                for #start in ::closedform::__private::starts(#length) {
+                    if let (#(::core::option::Option::Some(#inputs),)* #(::core::option::Option::Some(#results)),*) = (
+                        #(::closedform::__private::block(#inputs, #start),)*
+                        #(::closedform::__private::block_mut(#results, #start)),*
+                    ) {
+                        #rows(#(#inputs,)* #(#results),*);
+                    }
+                }
+                if 0 < #length && #length < ::closedform::__private::BLOCK {
+                    #(let #inputs = ::closedform::__private::padded(#inputs);)*
+                    let [#(mut #padded),*] = [[0.0; ::closedform::__private::BLOCK]; #count];
+                    #rows(#(&#inputs,)* #(&mut #padded),*);
+                    #(::closedform::__private::unpadded(&#padded, #results);)*
                 }
                 ::core::result::Result::Ok(())
             }
@@ -96,20 +115,6 @@ impl Parts<'_> {
             let #length = #first.len();
             #(#checks)*
         }
-    }
-
-    /// A pattern and an iterator of all inputs and results together. Zipped slices need no bounds checks.
-    fn zipped(
-        &self,
-        input: impl Fn(&Ident) -> TokenStream,
-        result: impl Fn(&Ident) -> TokenStream,
-    ) -> (TokenStream, TokenStream) {
-        let inputs = self.inputs.iter().map(|name| (quote!(#name), input(name)));
-        let results = self.results.iter().map(|name| (quote!(#name), result(name)));
-        let zipped = inputs.chain(results).reduce(|(pattern, rows), (next_pattern, next_rows)| {
-            (quote!((#pattern, #next_pattern)), quote!(#rows.zip(#next_rows)))
-        });
-        zipped.unwrap_or_default()
     }
 
     /// The functions `rows` and `fast_rows`.

@@ -89,7 +89,7 @@ impl Parts<'_> {
         let (k, table) = (self.kernel.requires.len(), table::table(self.kernel));
         let all = program::inputs();
         let fast = info::fast(self.kernel);
-        let slices = Ident::new("__slices", Span::mixed_site());
+        let [slices, of] = ["__slices", "__of"].map(|name| Ident::new(name, Span::mixed_site()));
         quote! {
             pub(super) struct Program;
 
@@ -106,6 +106,18 @@ impl Parts<'_> {
                 #[inline(always)]
                 fn domain<R: ::closedform::Real>(#all: &[R; #n]) -> [bool; #k] {
                     #domain
+                }
+
+                #[inline(always)]
+                fn each_input<T, U>(#all: [T; #n], #of: impl ::core::ops::Fn(T) -> U) -> [U; #n] {
+                    let [#(#inputs),*] = #all;
+                    [#(#of(#inputs)),*]
+                }
+
+                #[inline(always)]
+                fn each_result<T, U>(#all: [T; #m], #of: impl ::core::ops::Fn(T) -> U) -> [U; #m] {
+                    let [#(#results),*] = #all;
+                    [#(#of(#results)),*]
                 }
 
                 fn batch(

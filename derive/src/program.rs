@@ -220,6 +220,8 @@ fn extended(part: Extended) -> TokenStream {
         Operation::Add(a, b) => real("extended_add", &[inner(a), inner(b)]),
         Operation::MulExact(a, b) => real("extended_mul_exact", &[inner(a), exact(b)]),
         Operation::Mul(a, b) => real("extended_mul", &[inner(a), inner(b)]),
+        Operation::ScaleOperand(a, b) => real("scaled", &[exact(a), exact(b)]),
+        Operation::Scale(a, b) => real("extended_scaled", &[inner(a), exact(b)]),
     };
     if part.negative { real("extended_neg", &[quote!(&#value)]) } else { value }
 }

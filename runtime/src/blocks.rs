@@ -1,52 +1,65 @@
-//! Blocks of rows of a batch: parts of a slice, cut without a division and without a way to panic.
+//! Blocks of rows of a batch: arrays of one length, which loops over them know, cut from slices without a way to panic.
 
-/// Rows that are computed together: what they need stays in the fastest cache.
-pub const BLOCK: usize = 256;
+/// Rows that are computed together.
+pub const BLOCK: usize = 32;
 
-/// Flags of which it is asked together whether any is raised.
-const GROUP: usize = 16;
+/// A number of each row of a block.
+pub type Column = [f64; BLOCK];
+
+/// Where the blocks of so many rows begin: one after another, and the last one so that it ends with the rows. It may overlap the one
+/// before: what it computes twice is the same. None where there are fewer rows than a block has.
+#[inline]
+pub fn starts(rows: usize) -> impl Iterator<Item = usize> {
+    let last = rows.checked_sub(BLOCK);
+    let whole = (0..rows / BLOCK).map(|block| block * BLOCK);
+    whole.chain(last.filter(|last| last % BLOCK != 0))
+}
+
+/// The block that begins at a row.
+#[inline]
+pub fn block(rows: &[f64], start: usize) -> Option<&Column> {
+    rows.get(start..)?.first_chunk()
+}
+
+/// The same of results.
+#[inline]
+pub fn block_mut(rows: &mut [f64], start: usize) -> Option<&mut Column> {
+    rows.get_mut(start..)?.first_chunk_mut()
+}
+
+/// Fewer rows than a block has, and the first one again behind them.
+#[inline]
+pub fn padded(rows: &[f64]) -> Column {
+    let mut column = [rows.first().copied().unwrap_or_default(); BLOCK];
+    column.iter_mut().zip(rows).for_each(|(to, from)| *to = *from);
+    column
+}
+
+/// The first rows of a block.
+#[inline]
+pub fn unpadded(column: &Column, rows: &mut [f64]) {
+    rows.iter_mut().zip(column).for_each(|(to, from)| *to = *from);
+}
 
 /// Where flags are raised.
 #[inline]
 pub fn raised(flags: &[u64; BLOCK]) -> impl Iterator<Item = usize> {
-    let groups =
-        flags.chunks_exact(GROUP).enumerate().filter(|(_, group)| group.iter().fold(0, |any, flag| any | flag) != 0);
-    groups.flat_map(|(at, group)| {
-        let raised = group.iter().enumerate().filter(|(_, flag)| **flag != 0);
-        raised.map(move |(place, _)| at * GROUP + place)
-    })
+    flags.iter().enumerate().filter(|(_, flag)| **flag != 0).map(|(row, _)| row)
 }
 
-/// The blocks of inputs; the last one may be shorter.
-#[derive(Debug)]
-pub struct Blocks<'a>(pub &'a [f64]);
+#[cfg(test)]
+mod tests {
+    extern crate std;
+    use super::*;
+    use std::vec::Vec;
 
-impl<'a> Iterator for Blocks<'a> {
-    type Item = &'a [f64];
-
-    #[inline]
-    fn next(&mut self) -> Option<Self::Item> {
-        let (block, rest) = self.0.split_at_checked(BLOCK).unwrap_or((self.0, &[]));
-        self.0 = rest;
-        (!block.is_empty()).then_some(block)
-    }
-}
-
-/// The blocks of results; the last one may be shorter.
-#[derive(Debug)]
-pub struct BlocksMut<'a>(pub &'a mut [f64]);
-
-impl<'a> Iterator for BlocksMut<'a> {
-    type Item = &'a mut [f64];
-
-    #[inline]
-    fn next(&mut self) -> Option<Self::Item> {
-        let all = core::mem::take(&mut self.0);
-        if all.len() <= BLOCK {
-            return (!all.is_empty()).then_some(all);
+    #[test]
+    fn blocks_cover_all_rows_and_no_others() {
+        for rows in 0..5 * BLOCK {
+            let starts: Vec<usize> = starts(rows).collect();
+            let covered = |row| starts.iter().any(|start| (*start..*start + BLOCK).contains(&row));
+            assert_eq!((0..rows).all(covered), rows == 0 || rows >= BLOCK, "{rows}");
+            assert!(!covered(rows) && starts.len() == if rows < BLOCK { 0 } else { rows.div_ceil(BLOCK) }, "{rows}");
         }
-        let (block, rest) = all.split_at_mut_checked(BLOCK)?;
-        self.0 = rest;
-        Some(block)
     }
 }

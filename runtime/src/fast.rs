@@ -91,7 +91,7 @@ where
     };
     let (of_domain, of_results) = (Cell::new(false), Cell::new(false));
     let inside = all(P::domain(&numbers::<P, N, K, M, WATCHED>(inputs, &of_domain)));
-    let results = P::evaluate(&numbers::<P, N, K, M, WATCHED>(inputs, &of_results)).map(end);
+    let results = P::each_result(P::evaluate(&numbers::<P, N, K, M, WATCHED>(inputs, &of_results)), end);
     Found { results, inside, ordinary, escalates: [of_domain.get(), of_results.get()] }
 }
 
@@ -111,7 +111,18 @@ fn numbers<'a, P, const N: usize, const K: usize, const M: usize, const WATCHED:
 where
     P: Program<N, K, M>,
 {
-    core::array::from_fn(|input| Bounded::new(inputs[input], P::FAST.signs[input], escalate))
+    P::each_input(const { positions() }, |input| Bounded::new(inputs[input], P::FAST.signs[input], escalate))
+}
+
+/// The positions of the inputs.
+#[inline(always)]
+const fn positions<const N: usize>() -> [usize; N] {
+    let (mut positions, mut at) = ([0; N], 0);
+    while at < N {
+        positions[at] = at;
+        at += 1;
+    }
+    positions
 }
 
 /// What [`fast`] returns where its first tier escalates.

@@ -85,7 +85,7 @@ pub use record::Record;
 /// What expansions of `#[kernel]` call; not for people.
 #[doc(hidden)]
 pub mod __private {
-    pub use crate::blocks::{BLOCK, Blocks, BlocksMut, raised};
+    pub use crate::blocks::{BLOCK, Column, block, block_mut, padded, raised, starts, unpadded};
     pub use crate::fast::{fast, fast_again, fast_first_tier, with_bound};
     pub use crate::rows::rows;
     #[cfg(feature = "serde")]

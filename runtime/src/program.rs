@@ -23,6 +23,19 @@ pub trait Program<const N: usize, const K: usize, const M: usize> {
     /// Whether each condition of the domain holds, in any arithmetic.
     fn domain<R: Real>(inputs: &[R; N]) -> [bool; K];
 
+    /// `of` of each input. `#[kernel]` writes all of them out: where compilers made a loop or a call of it, loops over rows would not be
+    /// vectorised.
+    #[inline(always)]
+    fn each_input<T, U>(inputs: [T; N], of: impl Fn(T) -> U) -> [U; N] {
+        inputs.map(of)
+    }
+
+    /// `of` of each result, in the same way.
+    #[inline(always)]
+    fn each_result<T, U>(results: [T; M], of: impl Fn(T) -> U) -> [U; M] {
+        results.map(of)
+    }
+
     /// The results in `f64` for slices of equal length.
     fn batch(inputs: [&[f64]; N], results: [&mut [f64]; M]) -> Result<(), LengthError>;
 

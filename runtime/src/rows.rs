@@ -1,11 +1,12 @@
 //! Batches by rows, one record a point: computed by columns, of few rows at a time.
 
+use crate::blocks::BLOCK;
 use crate::error::LengthError;
 use crate::record::Record;
 use crate::shape::same_length;
 
-/// Rows whose columns stand on the stack together, in 256 bytes an input and a result.
-const ROWS: usize = 32;
+/// Rows whose columns stand on the stack together, in 256 bytes an input and a result: a block of a batch.
+const ROWS: usize = BLOCK;
 
 /// The results of `rows`, by a `batch` of columns; `result` makes one of its numbers.
 #[inline]

@@ -30,7 +30,7 @@ pub(crate) fn value_apart<P: Program<N, K, M>, const N: usize, const K: usize, c
     inputs: &[f64; N],
 ) -> [f64; M] {
     match first_tier_apart::<P, N, K, M>(inputs) {
-        Some((results, domain)) => where_inside(results, domain, f64::NAN),
+        Some((results, domain)) => where_inside::<P, N, K, M>(results, domain),
         None => decided::<P, N, K, M>(inputs),
     }
 }
@@ -63,14 +63,17 @@ pub fn first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: 
         return decided::<P, N, K, M>(inputs);
     }
     let (results, domain) = in_first_tier::<P, N, K, M>(inputs, escalate);
-    where_inside(results, domain, f64::NAN)
+    where_inside::<P, N, K, M>(results, domain)
 }
 
-/// The results where all conditions hold, else what stands for none.
+/// The results where all conditions hold, else NaN.
 #[inline(always)]
-fn where_inside<T: Copy, const K: usize, const M: usize>(results: [T; M], domain: [bool; K], none: T) -> [T; M] {
+fn where_inside<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+    results: [f64; M],
+    domain: [bool; K],
+) -> [f64; M] {
     let inside = all(domain);
-    results.map(|result| if inside { result } else { none })
+    P::each_result(results, |result| if inside { result } else { f64::NAN })
 }
 
 /// Results and domain in the precision of the kernel, unless `escalate` is raised.
@@ -94,8 +97,9 @@ fn in_f64<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
     escalate: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
     let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO.ordinary, [Signs::ANY; N], inputs)), Cell::new(false));
-    let domain = P::domain(&inputs.map(|value| Filtered::<false>::new(value, &of_domain)));
-    let results = P::evaluate(&inputs.map(|value| Filtered::<false>::new(value, &of_results))).map(Filtered::value);
+    let domain = P::domain(&P::each_input(*inputs, |value| Filtered::<false>::new(value, &of_domain)));
+    let results = P::evaluate(&P::each_input(*inputs, |value| Filtered::<false>::new(value, &of_results)));
+    let results = P::each_result(results, Filtered::value);
     raise(escalate, domain, of_domain.get(), of_results.get());
     (results, domain)
 }
@@ -107,9 +111,9 @@ fn in_double_double<P: Program<N, K, M>, const N: usize, const K: usize, const M
     escalate: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
     let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO.ordinary, [Signs::ANY; N], inputs)), Cell::new(false));
-    let domain = P::domain(&inputs.map(|value| FilteredDoubleDouble::<false>::new(value, &of_domain)));
-    let results = P::evaluate(&inputs.map(|value| FilteredDoubleDouble::<false>::new(value, &of_results)))
-        .map(FilteredDoubleDouble::round);
+    let domain = P::domain(&P::each_input(*inputs, |value| FilteredDoubleDouble::<false>::new(value, &of_domain)));
+    let results = P::evaluate(&P::each_input(*inputs, |value| FilteredDoubleDouble::<false>::new(value, &of_results)));
+    let results = P::each_result(results, FilteredDoubleDouble::round);
     raise(escalate, domain, of_domain.get(), of_results.get());
     (results, domain)
 }
@@ -199,7 +203,7 @@ pub(crate) fn values<const M: usize>(answer: Result<[Rounded; M], &'static str>)
 /// The results with an error of less than one ulp; NaN outside the domain.
 pub fn faithful<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
     match faithful_first_tier::<P, N, K, M>(inputs) {
-        Some((results, domain)) => where_inside(results, domain, f64::NAN),
+        Some((results, domain)) => where_inside::<P, N, K, M>(results, domain),
         None => values(faithful_answer::<P, N, K, M>(inputs)),
     }
 }

@@ -5,6 +5,7 @@
 use closedform_arith::error_model::compensated;
 use closedform_arith::factored::Step;
 use closedform_arith::limits::{MAX_FACTORS, MAX_OPERANDS, MAX_STACK, MAX_TERMS};
+use closedform_arith::range::is_power_of_two;
 use closedform_arith::{Term, Terms};
 
 use crate::error;
@@ -53,6 +54,10 @@ pub enum Operation<'e> {
     MulExact(Extended<'e>, Operand<'e>),
     /// The product of two pairs.
     Mul(Extended<'e>, Extended<'e>),
+    /// The product of two operands of which the second is a power of two, exact.
+    ScaleOperand(Operand<'e>, Operand<'e>),
+    /// The product of a pair and a power of two, which rounds nothing.
+    Scale(Extended<'e>, Operand<'e>),
 }
 
 impl<'e> Part<'e> {
@@ -73,6 +78,13 @@ impl<'e> Part<'e> {
             Part::Operand(operand) => Part::Operand(Operand { negative: !operand.negative, ..operand }),
             Part::Extended(extended) => Part::Extended(Extended { negative: !extended.negative, ..extended }),
         }
+    }
+}
+
+impl Operand<'_> {
+    /// Whether it is a power of two in the text of the program.
+    fn is_power_of_two(self) -> bool {
+        matches!(self.leaf, Expr::Literal { value, .. } if is_power_of_two(*value))
     }
 }
 
@@ -101,9 +113,15 @@ impl<'e> Operation<'e> {
 
     fn product(left: Part<'e>, right: Part<'e>) -> Self {
         match (left, right) {
+            (Part::Operand(a), Part::Operand(b)) if b.is_power_of_two() => Self::ScaleOperand(a, b),
+            (Part::Operand(a), Part::Operand(b)) if a.is_power_of_two() => Self::ScaleOperand(b, a),
             (Part::Operand(a), Part::Operand(b)) => Self::TwoProduct(a, b),
             (Part::Extended(extended), Part::Operand(exact)) | (Part::Operand(exact), Part::Extended(extended)) => {
-                Self::MulExact(extended, exact)
+                if exact.is_power_of_two() {
+                    Self::Scale(extended, exact)
+                } else {
+                    Self::MulExact(extended, exact)
+                }
             }
             (Part::Extended(a), Part::Extended(b)) => Self::Mul(a, b),
         }
@@ -247,11 +265,21 @@ fn count(expr: &Expr) -> compensated::Part {
     match expr {
         Expr::Neg(inner) => count(inner),
         Expr::Binary { op, left, right } => {
-            let (left, right) = (count(left), count(right));
-            if *op == BinaryOp::Mul { left.product(right) } else { left.sum(right) }
+            let [(left, scales), (right, scaled)] = [left, right].map(|side| (count(side), is_scale(side)));
+            match op {
+                BinaryOp::Mul if scaled => left,
+                BinaryOp::Mul if scales => right,
+                BinaryOp::Mul => left.product(right),
+                BinaryOp::Add | BinaryOp::Sub | BinaryOp::Div => left.sum(right),
+            }
         }
         Expr::Literal { .. } | Expr::Name(_) => compensated::Part::OPERAND,
         // no part of a compensated expression
         _ => compensated::Part::UNKNOWN,
     }
+}
+
+/// Whether a factor only scales.
+fn is_scale(expr: &Expr) -> bool {
+    matches!(Part::of(expr), Part::Operand(operand) if operand.is_power_of_two())
 }

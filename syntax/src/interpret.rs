@@ -122,6 +122,8 @@ impl<R: Real> Machine<R> {
             Operation::Add(a, b) => R::extended_add(&self.extended(a), &self.extended(b)),
             Operation::MulExact(a, b) => R::extended_mul_exact(&self.extended(a), &operand(b)),
             Operation::Mul(a, b) => R::extended_mul(&self.extended(a), &self.extended(b)),
+            Operation::ScaleOperand(a, b) => operand(a).scaled(&operand(b)),
+            Operation::Scale(a, b) => R::extended_scaled(&self.extended(a), &operand(b)),
         };
         if extended.negative { R::extended_neg(&value) } else { value }
     }

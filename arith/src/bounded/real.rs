@@ -2,6 +2,7 @@
 
 use super::{Bounded, Signs, root};
 use crate::function::Function;
+use crate::range::is_power_of_two;
 use crate::real::Real;
 use crate::terms::Terms;
 
@@ -10,8 +11,7 @@ impl<const WATCHED: bool> Real for Bounded<'_, WATCHED> {
 
     #[inline(always)]
     fn literal(&self, value: f64) -> Self {
-        let power_of_two = value.is_normal() & (value.to_bits() << 12 == 0);
-        Bounded { power_of_two, ..self.exactly(value, Signs::of(value)) }
+        Bounded { power_of_two: is_power_of_two(value), ..self.exactly(value, Signs::of(value)) }
     }
 
     #[inline(always)]

@@ -42,7 +42,7 @@ impl Random {
 /// A pair, what is counted of it, what it stands for, and the sum of the magnitudes of its terms.
 #[derive(Clone)]
 struct Known {
-    pair: BoundedPair,
+    pair: BoundedPair<true>,
     part: Part,
     exact: Float,
     size: Float,

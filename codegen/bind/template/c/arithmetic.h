@@ -269,6 +269,18 @@ static inline cf_sum cf_sum_times(cf_sum x, cf_sum y) {
     return product;
 }
 
+/* A product with a power of two, which rounds nothing. */
+static inline cf_sum cf_scaled(double a, double power) {
+    double product = a * power;
+    cf_sum sum = {{product, -0.0}, fabs(product) + CF_UNDERFLOW};
+    return sum;
+}
+
+static inline cf_sum cf_sum_scaled(cf_sum x, double power) {
+    cf_sum product = {{x.pair.high * power, x.pair.low * power}, x.size * fabs(power) + CF_UNDERFLOW};
+    return product;
+}
+
 /* The value rounded. */
 static inline double cf_sum_round(cf_sum x) {
     return x.pair.high + x.pair.low;

@@ -177,6 +177,8 @@ impl Printer<'_> {
             Operation::Add(a, b) => format!("cf_sum_plus({}, {})", self.extended(a), self.extended(b)),
             Operation::MulExact(a, b) => format!("cf_sum_times_exact({}, {})", self.extended(a), self.exact(b)),
             Operation::Mul(a, b) => format!("cf_sum_times({}, {})", self.extended(a), self.extended(b)),
+            Operation::ScaleOperand(a, b) => format!("cf_scaled({}, {})", self.exact(a), self.exact(b)),
+            Operation::Scale(a, b) => format!("cf_sum_scaled({}, {})", self.extended(a), self.exact(b)),
         };
         if part.negative { format!("cf_sum_negate({value})") } else { value }
     }

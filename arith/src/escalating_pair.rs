@@ -1,0 +1,20 @@
+//! `EscalatingPair`: a compensated expression in the arithmetics of calls, and the flag that it raises to escalate.
+
+use core::cell::Cell;
+
+use crate::bounded_pair::BoundedPair;
+
+/// A pair, and the flag that it raises to escalate.
+#[derive(Clone, Copy)]
+pub struct EscalatingPair<'a, const WATCHED: bool> {
+    pub(crate) pair: BoundedPair<WATCHED>,
+    pub(crate) escalate: &'a Cell<bool>,
+}
+
+impl<const WATCHED: bool> EscalatingPair<'_, WATCHED> {
+    /// Another pair with the same flag.
+    #[inline(always)]
+    pub(crate) fn with(&self, pair: BoundedPair<WATCHED>) -> Self {
+        EscalatingPair { pair, escalate: self.escalate }
+    }
+}
