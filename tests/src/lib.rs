@@ -8,6 +8,7 @@ pub mod algebra;
 pub mod as_written;
 pub mod assembly;
 pub mod bare;
+pub mod bench;
 pub mod bounds;
 pub mod budget;
 pub mod check;

@@ -2,8 +2,8 @@
 
 use std::fs;
 
-use closedform_tests::links;
 use closedform_tests::workspace::{self, Source};
+use closedform_tests::{bench, links};
 
 fn documents() -> Vec<Source> {
     workspace::files().into_iter().filter(|file| file.path.ends_with(".md")).collect()
@@ -28,4 +28,15 @@ fn the_summary_names_every_page_of_the_book() {
     let missing: Vec<&str> =
         pages.filter(|page| *page != "SUMMARY.md" && !named.iter().any(|name| name == page)).collect();
     assert!(!named.is_empty() && missing.is_empty(), "SUMMARY.md does not name {missing:?}");
+}
+
+#[test]
+fn the_bench_times_the_references_as_they_are_written() {
+    let (text, path) = (bench::text(), workspace::root().join(bench::PATH));
+    if fs::read_to_string(&path).is_ok_and(|found| found == text) {
+        return;
+    }
+    let fresh = workspace::root().join("target/as_written.rs");
+    fs::write(&fresh, text).expect("the folder `target` can be written");
+    panic!("{} is stale: copy {} there", bench::PATH, fresh.display());
 }

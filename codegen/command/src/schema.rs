@@ -46,6 +46,8 @@ enum Name {
     Ledger,
     /// `mutants --json`
     Mutants,
+    /// `plan --json`
+    Plan,
     /// `plan --table FILE.json`
     Table,
 }

@@ -1,5 +1,9 @@
 //! Expressions to doubles: the plain evaluation of a formula as it is written, and what that costs.
 
+mod rust;
+
+pub use rust::double_rust;
+
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};

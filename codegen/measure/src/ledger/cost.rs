@@ -15,8 +15,8 @@ const DIVISION: u32 = Cost::DIVISION;
 /// The operations of double-double: addition, multiplication, division.
 const DOUBLE_DOUBLE: [u32; 3] = [20, 9, 16 + 2 * DIVISION];
 
-/// An operation inside a compensated expression: the mean of its kinds, exact operands or not, with the size kept beside it.
-const IN_COMPENSATED: u32 = 12;
+/// An operation on pairs inside a compensated expression: the mean of its kinds, exact operands or not, with the size kept beside it.
+const IN_COMPENSATED: u32 = 7;
 
 /// The operations of balls of 256 bits, in the same order, and a root of a polynomial: about as many ns as a call takes for each.
 const BALL: [u32; 3] = [100, 130, 700];
