@@ -12,6 +12,8 @@ mod differentiate;
 mod effects;
 mod evaluate;
 mod formula;
+mod items;
+mod loops;
 mod numbers;
 mod reading;
 mod state;
@@ -34,6 +36,7 @@ pub(crate) use reading::Reading;
 pub(crate) use state::Refusal;
 use state::{Binding, State, Stop};
 pub(crate) use statements::spelt;
+pub(crate) use tree::any;
 pub(crate) use wanted::{Wanted, is_about_numbers, wanted};
 pub(crate) use words::{COMPUTE, is_loading, is_package};
 
@@ -102,8 +105,10 @@ impl Run {
         }
         self.note_definitions(&statement);
         self.evaluator.rest();
+        let left = self.evaluator.left;
         let value = self.evaluator.value(&statement);
-        if let Some(what) = passed_over(&statement) {
+        let is_obeyed = matches!(statement.kind, ExprKind::Loop { .. }) && self.evaluator.left == left;
+        if let Some(what) = passed_over(&statement).filter(|_| !is_obeyed) {
             self.reading.passed.push((what, statement.span.clone()));
         }
         self.evaluator.state.last = match value {

@@ -7,14 +7,14 @@ use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation};
 
 use super::arrays::{self, determinant, transposed};
 use super::differentiate::differentiated;
-use super::evaluate::Evaluator;
+use super::evaluate::{Evaluator, because_of};
 use super::numbers;
 use super::state::{Binding, Evaluated, Refusal, Saved, Stop};
 use super::tree::{self, any, call, list, put, rows, small, symbol};
 use super::words::{self, COMPUTE};
 
 /// The most items that a sum, product or list is written out with.
-const ITEMS: i64 = 1000;
+pub(super) const ITEMS: i64 = 1000;
 
 impl Evaluator {
     pub(super) fn call(&mut self, whole: &Expr, function: &Expr, arguments: &[Expr]) -> Evaluated {
@@ -76,7 +76,7 @@ impl Evaluator {
             ("block", _) => self.block(arguments, span),
             ("return", [value]) => Err(Stop::Return(self.value(value)?)),
             ("lambda" | "buildq", _) => Ok(whole.clone()),
-            ("ev", [inner, options @ ..]) => self.ev(inner, options),
+            ("ev", [inner, options @ ..]) => self.ev_or_doubt(inner, options),
             ("define", [head, body]) => {
                 let body = self.value(body)?;
                 self.define(head, body, false, span);
@@ -173,7 +173,7 @@ impl Evaluator {
                 Some(items) => return self.call_value(function, items, span),
                 None => None,
             },
-            ("is", [condition]) => Some(match numbers::decided(condition) {
+            ("is" | "maybe", [condition]) => Some(match numbers::decided(condition) {
                 Some(holds) => symbol(if holds { "true" } else { "false" }, span),
                 None => condition.clone(),
             }),
@@ -227,8 +227,17 @@ impl Evaluator {
         }
     }
 
+    /// `ev(e, x=1, ..)`; what an option that cannot be obeyed leaves undone is not known.
+    pub(super) fn ev_or_doubt(&mut self, inner: &Expr, options: &[Expr]) -> Evaluated {
+        let value = self.ev(inner, options);
+        if let Err(Stop::Refused(because)) = &value {
+            self.doubt(inner, because);
+        }
+        value
+    }
+
     /// `ev(e, x=1, ..)`: what is evaluated sees the equations, and its value is evaluated once more.
-    pub(super) fn ev(&mut self, inner: &Expr, options: &[Expr]) -> Evaluated {
+    fn ev(&mut self, inner: &Expr, options: &[Expr]) -> Evaluated {
         let mut equations = Vec::new();
         for option in options {
             let option = match &option.kind {
@@ -259,6 +268,10 @@ impl Evaluator {
         };
         match &option.kind {
             ExprKind::Symbol(name) if words::is_flag(name) => Ok(()),
+            ExprKind::Symbol(name) if words::computes(name) || words::is_evaluation(name) => {
+                let what = format!("it must be computed: `{name}` of `ev` tells Maxima to");
+                Err(Refusal::new(what, COMPUTE, &option.span).into())
+            }
             ExprKind::Binary {
                 operator: BinaryOperator::Compare(Relation::Equal) | BinaryOperator::Assign,
                 left,
@@ -266,13 +279,18 @@ impl Evaluator {
             } => {
                 let Some(name) = left.as_symbol() else { return Err(unknown().into()) };
                 let value = self.value(right)?;
+                if value.as_symbol().is_some_and(|value| words::changes_arithmetic(name, value)) {
+                    return Err(unknown().into());
+                }
                 if !words::is_flag(name) {
                     equations.push((name.to_owned(), value));
                 }
                 Ok(())
             }
-            ExprKind::Symbol(_) => match self.value(option)? {
-                value if value != *option && (list(&value).is_some() || side(&value, true).is_some()) => {
+            _ => match self.value(option)? {
+                // a name without a value says nothing to Maxima
+                value if value == *option && self.says_nothing(option) => Ok(()),
+                value if list(&value).is_some() || side(&value, true).is_some() => {
                     let items = list(&value).map_or_else(|| vec![value.clone()], <[Expr]>::to_vec);
                     for equation in items {
                         let (Some(left), Some(right)) = (side(&equation, true), side(&equation, false)) else {
@@ -282,10 +300,14 @@ impl Evaluator {
                     }
                     Ok(())
                 }
-                _ => Err(unknown().into()),
+                value => Err(because_of(&[&value], unknown()).into()),
             },
-            _ => Err(unknown().into()),
         }
+    }
+
+    /// Whether an option of `ev` is a name that means nothing.
+    fn says_nothing(&self, option: &Expr) -> bool {
+        option.as_symbol().is_some_and(|name| !self.state.functions.contains_key(name))
     }
 
     /// `sum`, `product` and `makelist` between numbers, written out.
@@ -300,7 +322,8 @@ impl Evaluator {
         let (from, to) = (self.value(from)?, self.value(to)?);
         let (Some(first), Some(last)) = (small(&from), small(&to)) else {
             let what = format!("a {name} whose number of terms is not known");
-            return Err(Refusal::new(what, "write it with numbers as its ends", span).into());
+            let because = Refusal::new(what, "write it with numbers as its ends", span);
+            return Err(because_of(&[&from, &to], because).into());
         };
         if last.saturating_sub(first) >= ITEMS {
             let what = format!("a {name} of more than {ITEMS} terms");
@@ -360,11 +383,13 @@ fn substituted(equations: &Expr, value: &Expr, in_turn: bool, span: &Range<usize
         let pair = side(equation, true).zip(side(equation, false));
         let pair = pair.and_then(|(old, new)| Some((old.as_symbol().filter(|name| is_free(name))?.to_owned(), new)));
         let what = "`subst` of something else than free names by values";
-        pairs.push(pair.ok_or_else(|| Refusal::new(what, "let Maxima do it, and write what it gives", span))?);
+        let because = || because_of(&[equation], Refusal::new(what, "let Maxima do it, and write what it gives", span));
+        pairs.push(pair.ok_or_else(because)?);
     }
     // what is still to be computed must not be computed with other names
     if any(value, &|part| part.as_call().is_some_and(|(name, _)| words::computes(name) || name == "lambda")) {
-        return Err(Refusal::new("`subst` into what only Maxima can compute", COMPUTE, span));
+        let what = "it must be computed: `subst` into what only Maxima can compute";
+        return Err(Refusal::new(what, COMPUTE, span));
     }
     if !in_turn {
         return Ok(put(value, &|name| pairs.iter().find(|(old, _)| old == name).map(|(_, new)| new.clone())));

@@ -3,10 +3,10 @@
 use closedform_maxima::ast::Quoting;
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, parse_what_can_be};
 
-use super::formula::{Outcome, find, marked_in, outcome};
+use super::formula::{Outcome, marked_in, outcome};
 use super::reading::Reading;
 use super::state::{Refusal, State};
-use super::tree::list;
+use super::tree::{find, list};
 use super::words;
 
 /// Reads `f(x):=formula$`, `name:formula$` and `assume(x>0)$`.

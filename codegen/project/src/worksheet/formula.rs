@@ -9,7 +9,7 @@ use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator}
 
 use super::evaluate::{Evaluator, PARAMETER, ROOT, is_constant};
 use super::state::{Binding, Evaluated, Refusal, State, Stop};
-use super::tree::{any, list, names, renamed, rows, symbol};
+use super::tree::{any, find, list, names, renamed, rows, symbol};
 use super::words::COMPUTE;
 use super::{statements, words};
 use crate::expression::{is_known_constant, remedy_of_constant};
@@ -79,7 +79,7 @@ pub(super) fn of_function(name: &str, evaluator: &mut Evaluator) -> Outcome {
     let before = evaluator.state.clone();
     let value = evaluator.apply(name, &function, arguments, &function.span);
     evaluator.state = before;
-    outcome(name, parameters, value, &function.span, &evaluator.state)
+    outcome_with_items(name, parameters, value, &function.span, evaluator)
 }
 
 /// The formula of a variable.
@@ -93,7 +93,7 @@ pub(super) fn of_variable(name: &str, span: &Range<usize>, evaluator: &mut Evalu
                 let before = evaluator.state.clone();
                 let found = evaluator.call_value(&value, arguments, span);
                 evaluator.state = before;
-                outcome(name, parameters, found, span, &evaluator.state)
+                outcome_with_items(name, parameters, found, span, evaluator)
             }
             None if is_word(&value) => Outcome::Constant,
             None => outcome(name, Vec::new(), Ok((*value).clone()), span, &evaluator.state),
@@ -118,6 +118,24 @@ fn as_lambda(value: &Rc<Expr>) -> Option<Vec<String>> {
 /// Whether a value is no formula but a word, a text or another name.
 fn is_word(value: &Expr) -> bool {
     matches!(value.kind, ExprKind::Symbol(_) | ExprKind::String(_))
+}
+
+/// What a function comes to that may take lists by their items.
+fn outcome_with_items(
+    name: &str,
+    parameters: Vec<String>,
+    value: Evaluated,
+    span: &Range<usize>,
+    evaluator: &Evaluator,
+) -> Outcome {
+    let parameters = match &value {
+        Ok(value) | Err(Stop::Return(value)) => evaluator.with_items(parameters, value),
+        Err(Stop::Refused(_)) => Ok(parameters),
+    };
+    match parameters {
+        Ok(parameters) => outcome(name, parameters, value, span, &evaluator.state),
+        Err(because) => Outcome::Refused(because),
+    }
 }
 
 pub(super) fn outcome(
@@ -205,14 +223,14 @@ fn computing(name: &str, value: &Expr) -> Result<(), Refusal> {
     found.map_or(Ok(()), Err)
 }
 
-pub(super) fn find(expression: &Expr, told: &mut dyn FnMut(&Expr)) {
-    told(expression);
-    super::tree::parts(expression).into_iter().for_each(|part| find(part, told));
-}
-
-/// Of an `if` of which all sides but one give no number, that side; its condition is told.
+/// Of an `if` of which all sides but one give no number, that side; its condition is told. What stands in arithmetic or a
+/// call is needed for the whole, what stands on a side of another `if` is not.
 fn without_condition(value: &Expr, conditions: &mut Vec<Expr>) -> Expr {
-    let ExprKind::If { branches, otherwise } = &value.kind else { return value.clone() };
+    let ExprKind::If { branches, otherwise } = &value.kind else {
+        let Ok(inside) =
+            super::tree::map::<std::convert::Infallible>(value, &mut |part| Ok(without_condition(part, conditions)));
+        return inside;
+    };
     let nothing = symbol("false", &value.span);
     let sides = branches.iter().map(|branch| &branch.value).chain([otherwise.as_deref().unwrap_or(&nothing)]);
     let sides: Vec<&Expr> = sides.collect();

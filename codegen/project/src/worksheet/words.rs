@@ -214,6 +214,9 @@ const RATIONAL: [&str; 12] = [
 /// Flags of `ev` that give another form of the same value, besides the functions that do.
 const FLAGS: [&str; 8] = ["simp", "numer", "float", "expand", "factor", "logexpand", "ratprint", "keepfloat"];
 
+/// Words by which `ev` evaluates otherwise.
+const EVALUATIONS: [&str; 7] = ["derivlist", "eval", "infeval", "noeval", "nouns", "pred", "rescan"];
+
 /// Functions that change what their arguments stand for, or lists that they are given.
 const CHANGING: [&str; 12] = [
     "array",
@@ -272,6 +275,10 @@ pub(super) fn rounds_floats(name: &str) -> bool {
 
 pub(super) fn is_flag(name: &str) -> bool {
     FLAGS.contains(&name) || is_form(name)
+}
+
+pub(super) fn is_evaluation(name: &str) -> bool {
+    EVALUATIONS.contains(&name)
 }
 
 pub(super) fn is_changing(name: &str) -> bool {
