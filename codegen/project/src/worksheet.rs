@@ -13,6 +13,7 @@ mod effects;
 mod evaluate;
 mod formula;
 mod items;
+mod lists;
 mod loops;
 mod numbers;
 mod reading;

@@ -134,7 +134,7 @@ fn strangers_that_are_no_closed_forms_are_pointed_at() {
     has(&stranger("f(x):=f(x)$").unwrap_err(), &["f -> f"]);
     has(&stranger("f(x):=g(x,1)$ g(x):=x$").unwrap_err(), &["`g` takes 1 arguments, but is called with 2"]);
     has(&stranger("f(x,x):=x$").unwrap_err(), &["the parameter `x` twice"]);
-    let no_else = "f(x):=x+(if x>0 then 1 elseif x<-1 then 2)$";
+    let no_else = "f(x):=if x>0 then (if x>1 then 1) else x$";
     has(&stranger(no_else).unwrap_err(), &["an `if` without `else`", "write `else` and a value"]);
 }
 

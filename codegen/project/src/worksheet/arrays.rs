@@ -271,13 +271,20 @@ fn product(left: &Expr, right: &Expr, span: &Range<usize>) -> Result<Expr, Refus
     }
     let as_column = |items: &[Expr]| items.iter().map(|item| vec![item.clone()]).collect::<Vec<_>>();
     let owned = |value: &Expr| rows(value).map(|rows| rows.into_iter().map(<[Expr]>::to_vec).collect::<Vec<_>>());
-    let right_rows = owned(right).or_else(|| list(right).map(as_column)).ok_or_else(|| shapes(span))?;
-    let left_rows = owned(left).or_else(|| list(left).map(|row| vec![row.to_vec()])).ok_or_else(|| shapes(span))?;
+    let as_row = |items: &[Expr]| vec![items.to_vec()];
+    let left_rows = owned(left).or_else(|| list(left).map(as_row)).ok_or_else(|| shapes(span))?;
+    // a list is a column, unless only a row fits
+    let is_column = left_rows.iter().all(|row| row.len() == 1);
+    let fitting = |items: &[Expr]| if is_column { as_row(items) } else { as_column(items) };
+    let right_rows = owned(right).or_else(|| list(right).map(fitting)).ok_or_else(|| shapes(span))?;
     let columns = right_rows.first().map_or(0, Vec::len);
     if left_rows.iter().any(|row| row.len() != right_rows.len()) || right_rows.iter().any(|row| row.len() != columns) {
         return Err(shapes(span));
     }
     let column = |at: usize| right_rows.iter().map(|row| row[at].clone()).collect::<Vec<_>>();
+    if let ([row], 1) = (left_rows.as_slice(), columns) {
+        return dot(row, &column(0)); // one number is no matrix
+    }
     let mut made = Vec::new();
     for row in &left_rows {
         let items = (0..columns).map(|at| dot(row, &column(at))).collect::<Result<Vec<_>, _>>()?;

@@ -3,15 +3,18 @@
 use std::ops::Range;
 use std::rc::Rc;
 
+use closedform_maxima::ast::Branch;
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation};
 
-use super::arrays::{self, determinant, transposed};
+use super::arrays;
 use super::differentiate::differentiated;
 use super::evaluate::{Evaluator, because_of};
+use super::lists::of_lists;
 use super::numbers;
 use super::state::{Binding, Evaluated, Refusal, Saved, Stop};
-use super::tree::{self, any, call, list, put, rows, small, symbol};
+use super::tree::{self, any, call, list, put, small, symbol};
 use super::words::{self, COMPUTE};
+use crate::expression::is_known_function;
 
 /// The most items that a sum, product or list is written out with.
 pub(super) const ITEMS: i64 = 1000;
@@ -100,7 +103,8 @@ impl Evaluator {
                 Ok(Expr::new(ExprKind::List(made.collect::<Evaluated<_>>()?), span.clone()))
             }
             _ if self.is_statement(name) => self.statement(whole, name, arguments),
-            _ if arguments.iter().any(changes) => {
+            // what is said to be a formula evaluates what it is given once, as Maxima does
+            _ if arguments.iter().any(changes) && !words::is_form(name) && !is_known_function(name) => {
                 self.leave(whole, &format!("a call of `{name}`"));
                 let because = Refusal::new(format!("`{name}` is not known"), "write it as a formula", span);
                 Err(because.into())
@@ -114,7 +118,6 @@ impl Evaluator {
 
     /// Functions of values.
     fn of_values(&mut self, name: &str, arguments: Vec<Expr>, span: &Range<usize>) -> Evaluated {
-        let item = |value: Option<&Expr>| value.cloned();
         let made = match (name, arguments.as_slice()) {
             ("subst", [equations, value]) | ("at", [value, equations]) => {
                 let in_turn = name == "subst";
@@ -140,28 +143,6 @@ impl Evaluator {
             }
             ("rhs", [equation]) => side(equation, false),
             ("lhs", [equation]) => side(equation, true),
-            ("first" | "second" | "third" | "fourth" | "fifth", [items]) => {
-                let at = ["first", "second", "third", "fourth", "fifth"].iter().position(|word| *word == name);
-                list(items).and_then(|items| item(items.get(at?)))
-            }
-            ("last", [items]) => list(items).and_then(|items| item(items.last())),
-            ("part" | "inpart", [array, indices @ ..]) if list(array).is_some() || rows(array).is_some() => {
-                Some(arrays::item(array, indices, span)?)
-            }
-            ("length", [items]) => {
-                let count = list(items).map(<[Expr]>::len).or_else(|| rows(items).map(|rows| rows.len()));
-                count.and_then(|count| i64::try_from(count).ok()).map(|count| tree::number(count, span))
-            }
-            ("append", lists) => {
-                let items = lists.iter().map(list).collect::<Option<Vec<_>>>();
-                items.map(|items| Expr::new(ExprKind::List(items.concat()), span.clone()))
-            }
-            ("reverse", [items]) => {
-                list(items).map(|items| Expr::new(ExprKind::List(items.iter().rev().cloned().collect()), span.clone()))
-            }
-            ("transpose", [matrix]) => rows(matrix).and_then(|rows| transposed(&rows, span)),
-            ("determinant", [matrix]) => rows(matrix)
-                .and_then(|rows| determinant(&rows.into_iter().map(<[Expr]>::to_vec).collect::<Vec<_>>(), span)),
             ("map" | "maplist", [function, items]) => match list(items).map(<[Expr]>::to_vec) {
                 Some(items) => {
                     let made = items.into_iter().map(|item| self.call_value(function, vec![item], span));
@@ -177,15 +158,11 @@ impl Evaluator {
                 Some(holds) => symbol(if holds { "true" } else { "false" }, span),
                 None => condition.clone(),
             }),
-            ("factorial", [number]) => {
-                let unary = ExprKind::Unary {
-                    operator: closedform_maxima::UnaryOperator::Factorial,
-                    operand: Box::new(number.clone()),
-                };
-                Some(Expr::new(unary, span.clone()))
-            }
+            ("factorial", [number]) => Some(factorial(number, span)),
+            ("fix", [number]) => Some(call("floor", vec![number.clone()], span)),
+            ("unit_step", [number]) => Some(unit_step(number, span)),
             (_, [value, ..]) if words::is_form(name) => Some(form(name, value, span)?),
-            _ => None,
+            _ => of_lists(name, &arguments, span)?,
         };
         Ok(made.unwrap_or_else(|| call(name, arguments, span)))
     }
@@ -399,6 +376,19 @@ fn substituted(equations: &Expr, value: &Expr, in_turn: bool, span: &Range<usize
 
 fn is_free(name: &str) -> bool {
     !name.starts_with([super::evaluate::PARAMETER, super::evaluate::ROOT, '%'])
+}
+
+fn factorial(number: &Expr, span: &Range<usize>) -> Expr {
+    let operator = closedform_maxima::UnaryOperator::Factorial;
+    Expr::new(ExprKind::Unary { operator, operand: Box::new(number.clone()) }, span.clone())
+}
+
+/// 1 of positive numbers, 0 of the others.
+fn unit_step(number: &Expr, span: &Range<usize>) -> Expr {
+    let (one, zero) = (tree::number(1, span), tree::number(0, span));
+    let condition = tree::binary(BinaryOperator::Compare(Relation::Greater), number.clone(), zero.clone(), span);
+    let branches = vec![Branch { condition, value: one }];
+    Expr::new(ExprKind::If { branches, otherwise: Some(Box::new(zero)) }, span.clone())
 }
 
 /// Another form of a value. Forms of fractions would replace floats by fractions near them.

@@ -176,6 +176,10 @@ fn formula(
     computing(name, value)?;
     let mut conditions = Vec::new();
     let value = without_condition(value, &mut conditions);
+    if is_truth(&value) {
+        let what = format!("`{name}` is true or false, and kernels compute numbers");
+        return Err(Refusal::new(what, "write the numbers that are meant: if .. then 1 else 0", span));
+    }
     let value = own_names(name, &value, &parameters, span)?;
     let conditions: Vec<Expr> =
         conditions.iter().map(|condition| own_names(name, condition, &parameters, span)).collect::<Result<_, _>>()?;
@@ -203,6 +207,17 @@ fn formula(
     })
 }
 
+/// Whether a value, or a side of it, is a condition or one of the words for one. Equations have sides that are numbers.
+fn is_truth(value: &Expr) -> bool {
+    match &value.kind {
+        ExprKind::If { branches, otherwise } => {
+            branches.iter().map(|branch| &branch.value).chain(otherwise.as_deref()).any(is_truth)
+        }
+        ExprKind::Binary { operator: BinaryOperator::Compare(Relation::Equal), .. } => false,
+        _ => statements::is_truth(value),
+    }
+}
+
 /// Whether a name stands for a number that must be given.
 fn is_input(name: &str) -> bool {
     !is_known_constant(name) && !is_constant(name) && remedy_of_constant(name).is_none() && !name.starts_with(ROOT)
@@ -223,8 +238,8 @@ fn computing(name: &str, value: &Expr) -> Result<(), Refusal> {
     found.map_or(Ok(()), Err)
 }
 
-/// Of an `if` of which all sides but one give no number, that side; its condition is told. What stands in arithmetic or a
-/// call is needed for the whole, what stands on a side of another `if` is not.
+/// An `if` without the sides that give no number: the conditions under which none of them is taken are told. What stands in
+/// arithmetic or a call is needed for the whole, what stands on a side of another `if` is not.
 fn without_condition(value: &Expr, conditions: &mut Vec<Expr>) -> Expr {
     let ExprKind::If { branches, otherwise } = &value.kind else {
         let Ok(inside) =
@@ -232,17 +247,39 @@ fn without_condition(value: &Expr, conditions: &mut Vec<Expr>) -> Expr {
         return inside;
     };
     let nothing = symbol("false", &value.span);
-    let sides = branches.iter().map(|branch| &branch.value).chain([otherwise.as_deref().unwrap_or(&nothing)]);
-    let sides: Vec<&Expr> = sides.collect();
-    let real: Vec<usize> = (0..sides.len()).filter(|at| !gives_nothing(sides[*at])).collect();
-    let [side] = real.as_slice() else { return value.clone() };
-    for Branch { condition, .. } in &branches[..*side] {
-        conditions.push(negated(condition));
+    let otherwise = otherwise.as_deref().unwrap_or(&nothing);
+    let (mut before, mut kept): (Vec<Expr>, Vec<Branch>) = (Vec::new(), Vec::new());
+    for Branch { condition, value } in branches {
+        let condition = comparable(condition);
+        if gives_nothing(value) {
+            conditions.push(any_of(&before, negated(&condition)));
+        } else {
+            kept.push(Branch { condition: condition.clone(), value: value.clone() });
+        }
+        before.push(condition);
     }
-    if let Some(branch) = branches.get(*side) {
-        conditions.push(comparable(&branch.condition));
+    if gives_nothing(otherwise)
+        && let Some(last) = before.pop()
+    {
+        conditions.push(any_of(&before, last));
     }
-    without_condition(sides[*side], conditions)
+    let real = kept.len() + usize::from(!gives_nothing(otherwise));
+    let last = if gives_nothing(otherwise) { kept.pop().map(|branch| branch.value) } else { Some(otherwise.clone()) };
+    match (real, last) {
+        (1, Some(side)) => without_condition(&side, conditions),
+        (2.., Some(side)) if real <= branches.len() => {
+            Expr::new(ExprKind::If { branches: kept, otherwise: Some(Box::new(side)) }, value.span.clone())
+        }
+        _ => value.clone(),
+    }
+}
+
+/// That one of these conditions holds, or the last one.
+fn any_of(before: &[Expr], last: Expr) -> Expr {
+    let span = last.span.clone();
+    let all = before.iter().cloned().chain([last]);
+    let joined = all.reduce(|one, other| super::tree::binary(BinaryOperator::Or, one, other, &span));
+    joined.unwrap_or_else(|| symbol("true", &span))
 }
 
 /// In a condition of an `if`, `=` compares numbers.

@@ -206,7 +206,7 @@ pub(super) fn comparison(fact: &Expr) -> Expr {
 }
 
 /// Whether something is true or false, and no number.
-fn is_truth(value: &Expr) -> bool {
+pub(super) fn is_truth(value: &Expr) -> bool {
     match &value.kind {
         ExprKind::Binary { operator, .. } => {
             operator.is_comparison() || matches!(operator, BinaryOperator::And | BinaryOperator::Or)

@@ -193,6 +193,26 @@ fn truths_are_conditions() {
     assert_eq!(conditions("f(x) := if is(x>2) # false then x$"), ["x > 2"]);
     assert_eq!(conditions("g(x) := if x > 1 then x else error(\"low\")$ f(x) := sqrt(g(x))+1$"), ["x > 1"]);
     assert_eq!(last("f(x) := if maybe(1>2) = false then x else 2*x$"), "f(x) = x");
+    let told = "f(x) := if x < 0 then error(\"low\") elseif x < 1 then x elseif x < 2 then 2*x else false$";
+    assert_eq!(conditions(told), ["not x<0", "x<0 or x<1 or x<2"]);
+    assert_eq!(last(told), "f(x) = if x<1 then x else 2*x");
+    for text in ["f(x) := x > 1$", "f(x) := if x > 1 then true else x$", "f(x) := is(x > 1) or x < 0$"] {
+        assert!(refused(text)[0].contains("true or false"), "{text}: {:?}", refused(text));
+    }
+}
+
+#[test]
+fn lists_are_taken_apart_and_put_together() {
+    assert_eq!(last("l: [a,b,c]$ y: rest(l)$"), "y(b,c) = y_1: b, y_2: c");
+    assert_eq!(last("l: [a,b,c]$ y: rest(l,-1) . rest(l)$"), "y(a,b,c) = a*b+b*c");
+    assert_eq!(last("y: endcons(c, cons(a, [b]))$"), "y(a,b,c) = y_1: a, y_2: b, y_3: c");
+    assert_eq!(last("y: flatten([[a],[b,[c*d]]])[3]$"), "y(c,d) = c*d");
+    assert_eq!(last("m: matrix([a,b],[c,d])$ y: row(m,2) . col(m,1)$"), "y(c,a,d) = c*a+d*c");
+    assert_eq!(last("v: transpose([a,b])$ y: sqrt(transpose(v) . v)$"), "y(a,b) = sqrt(a*a+b*b)");
+    assert_eq!(last("y: transpose([a,b]) . [c,d]$"), "y(a,c,d,b) = y_1_1: a*c, y_1_2: a*d, y_2_1: b*c, y_2_2: b*d");
+    assert_eq!(last("y: transpose([a,b])$"), "y(a,b) = y_1_1: a, y_2_1: b");
+    assert_eq!(last("y: unit_step(x-1)*fix(x)$"), "y(x) = (if x-1>0 then 1 else 0)*floor(x)");
+    assert_eq!(last("f: 3$ y: float(g: x+1)$ z: g*f$"), "z(x) = (x+1)*3");
 }
 
 #[test]

@@ -212,7 +212,28 @@ const RATIONAL: [&str; 12] = [
 ];
 
 /// Flags of `ev` that give another form of the same value, besides the functions that do.
-const FLAGS: [&str; 8] = ["simp", "numer", "float", "expand", "factor", "logexpand", "ratprint", "keepfloat"];
+const FLAGS: [&str; 20] = [
+    "%emode",
+    "%enumer",
+    "algebraic",
+    "demoivre",
+    "expand",
+    "exponentialize",
+    "factor",
+    "factorflag",
+    "float",
+    "halfangles",
+    "keepfloat",
+    "logexpand",
+    "numer",
+    "ratalgdenom",
+    "ratfac",
+    "ratprint",
+    "ratsimpexpons",
+    "simp",
+    "simpsum",
+    "sumexpand",
+];
 
 /// Words by which `ev` evaluates otherwise.
 const EVALUATIONS: [&str; 7] = ["derivlist", "eval", "infeval", "noeval", "nouns", "pred", "rescan"];
