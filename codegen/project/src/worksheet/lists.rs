@@ -27,8 +27,8 @@ pub(super) fn of_lists(name: &str, arguments: &[Expr], span: &Range<usize>) -> R
             count.and_then(|count| i64::try_from(count).ok()).map(|count| tree::number(count, span))
         }
         ("append", lists) => lists.iter().map(list).collect::<Option<Vec<_>>>().map(|items| listed(items.concat())),
-        ("cons", [first, items]) => list(items).map(|items| listed([&[first.clone()], items].concat())),
-        ("endcons", [last, items]) => list(items).map(|items| listed([items, &[last.clone()]].concat())),
+        ("cons", [first, items]) => list(items).map(|items| listed([std::slice::from_ref(first), items].concat())),
+        ("endcons", [last, items]) => list(items).map(|items| listed([items, std::slice::from_ref(last)].concat())),
         ("rest", [items]) => list(items).and_then(|items| Some(listed(without(items, 1)?))),
         ("rest", [items, count]) => {
             list(items).zip(small(count)).and_then(|(items, n)| Some(listed(without(items, n)?)))

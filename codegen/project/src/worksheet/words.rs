@@ -320,7 +320,19 @@ pub(super) fn changes_arithmetic(setting: &str, value: &str) -> bool {
 
 /// Functions that are obeyed without a word.
 pub(super) fn is_obeyed(name: &str) -> bool {
-    ["assume", "forget", "kill", "remvalue", "remfunction", "local", "reset", "matchdeclare", "defrule", "depends"]
-        .contains(&name)
+    [
+        "assume",
+        "describe",
+        "forget",
+        "kill",
+        "remvalue",
+        "remfunction",
+        "local",
+        "reset",
+        "matchdeclare",
+        "defrule",
+        "depends",
+    ]
+    .contains(&name)
         || closedform_maxima::declares_operator(name)
 }
