@@ -9,6 +9,7 @@ use super::numbers;
 use super::state::{Binding, Evaluated, Refusal, Stop};
 use super::statements::comparison;
 use super::tree::{self, list, rows, small, symbol};
+use super::words::COMPUTE;
 
 /// The words of a loop, each with what follows it.
 #[derive(Default)]
@@ -59,9 +60,12 @@ impl Evaluator {
         match done {
             Ok(()) => symbol("done", &whole.span),
             Err(Stop::Return(value)) => value,
-            Err(Stop::Refused(_)) => {
+            Err(Stop::Refused(because)) => {
                 self.left += 1;
-                self.leave(whole, "a loop");
+                match because.remedy == COMPUTE {
+                    true => self.doubt(whole, &because),
+                    false => self.leave(whole, "a loop"),
+                }
                 symbol("done", &whole.span)
             }
         }

@@ -178,6 +178,8 @@ fn what_needs_computing_says_so() {
         "y: 'integrate(f,x)$",
         "y: ev(x, nouns)$",
         "s: solve(x^2=a,x)$ t: s[2]$",
+        "s: 0$ for i:1 thru length(solve(x^2=a,x)) do s: s+i$ y: s*b$",
+        "s: 0$ for r in solve(x^2=a,x) do s: s+rhs(r)$ y: s*b$",
     ] {
         let said = reading(text).refused;
         assert!(said.iter().all(|(_, because)| because.remedy == COMPUTE) && !said.is_empty(), "{text}: {said:?}");
