@@ -39,7 +39,7 @@ use state::{Binding, State, Stop};
 pub(crate) use statements::spelt;
 pub(crate) use tree::any;
 pub(crate) use wanted::{Wanted, is_about_numbers, wanted};
-pub(crate) use words::{COMPUTE, is_loading, is_package};
+pub(crate) use words::{COMPUTE, ends_maxima, is_loading, is_package};
 
 /// The room that evaluation may take on the stack.
 const STACK: usize = 256 << 20;
@@ -80,8 +80,12 @@ impl Run {
     }
 
     fn all(mut self) -> Reading {
-        for statement in std::mem::take(&mut self.statements) {
-            self.statement(&statement.expression);
+        for Statement { expression, .. } in std::mem::take(&mut self.statements) {
+            if ends_maxima(&expression) {
+                self.reading.passed.push(("`quit`, and what follows it".to_owned(), expression.span));
+                break;
+            }
+            self.statement(&expression);
         }
         self.harvest(&[]);
         self.reading.inlined = self.evaluator.used;

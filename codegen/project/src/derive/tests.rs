@@ -319,3 +319,16 @@ fn questions_are_answered_where_they_are_asked() {
     has(&passed.join("; "), &["`f`: Maxima has no value", "Maxima asks: Is n equal to"]);
     has(&left(&[("calc.mac", "solve(x, x)$")]).unwrap_err(), &["leaves no formula"]);
 }
+
+#[test]
+fn what_ends_maxima_does_not_end_the_derivation() {
+    let (text, passed) = left(&[("calc.mac", "y: diff(x^2, x)$\nquit()$\ny: error(\"not read\")$")]).unwrap();
+    assert_eq!(text, "y:2*x$");
+    assert_eq!(passed, ["line 2: passed over: `quit`, and what follows it"]);
+}
+
+#[test]
+fn an_error_of_a_package_is_told_with_its_place() {
+    let said = left(&[("calc.mac", "y: diff(x^2, x)$\nprintf(y, \"a\")$")]).unwrap_err();
+    has(&said, &["Maxima stops", "printf", "calc.mac:2:1"]);
+}

@@ -38,8 +38,8 @@ pub(super) fn operation(name: &str, operands: Vec<Value>, span: &Range<usize>) -
 fn arity(name: &str) -> Option<fn(usize) -> bool> {
     Some(match name {
         "+" | "*" => |count| count >= 1,
-        "-" => |count| count == 1 || count == 2,
-        "/" | "fmin" | "fmax" | "fdim" | "fmod" | "remainder" | "hypot" | "pow" | "atan2" => |count| count == 2,
+        "-" | "/" => |count| count == 1 || count == 2,
+        "fmin" | "fmax" | "fdim" | "fmod" | "remainder" | "hypot" | "pow" | "atan2" => |count| count == 2,
         "fabs" | "sqrt" | "cbrt" | "not" | "expm1" | "log1p" | "exp2" | "log2" | "log10" => |count| count == 1,
         "floor" | "ceil" | "trunc" | "nearbyint" | "rint" => |count| count == 1,
         "fma" => |count| count == 3,
@@ -78,6 +78,8 @@ fn known(name: &str, operands: Vec<Expr>) -> Expr {
     };
     match (operator, name, operands.as_slice()) {
         (_, "-", [operand]) => negative(operand.clone()),
+        // as Herbie writes the inverse
+        (_, "/", [operand]) => binary(BinaryOperator::Divide, integer(1), operand.clone()),
         (Some(operator), ..) => joined(operator, operands).unwrap_or_else(always),
         (_, "not", [operand]) => {
             ExprKind::Unary { operator: UnaryOperator::Not, operand: Box::new(operand.clone()) }.into()

@@ -168,6 +168,13 @@ fn what_is_refused_leaves_nothing_half_known() {
 }
 
 #[test]
+fn what_follows_the_end_is_not_read() {
+    let read = reading("y: x+1$ quit()$ y: x+2$ z: x$");
+    assert_eq!(print(&read.formulas[0].results[0].1), "x+1");
+    assert_eq!((read.formulas.len(), read.passed.len()), (1, 1));
+}
+
+#[test]
 fn what_needs_computing_says_so() {
     for text in [
         "y: solve(x^2=a,x)[1]$",

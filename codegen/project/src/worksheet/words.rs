@@ -1,5 +1,7 @@
 //! What Maxima's own functions and packages do to a worksheet, by name.
 
+use closedform_maxima::Expr;
+
 /// What to do where Maxima must compute.
 pub(crate) const COMPUTE: &str = "a worksheet that computes needs Maxima: `closedform derive FILE` runs it and writes what it leaves; \
                                   then run this command again";
@@ -275,6 +277,11 @@ const LOADING: [&str; 5] = ["batch", "batchload", "load", "loadfile", "setup_aut
 /// Settings under which arithmetic means something else.
 const SETTINGS: [(&str, &str); 4] =
     [("simp", "false"), ("listarith", "false"), ("radexpand", "all"), ("doallmxops", "false")];
+
+/// Whether a statement ends Maxima.
+pub(crate) fn ends_maxima(statement: &Expr) -> bool {
+    matches!(statement.as_call(), Some(("quit", _)))
+}
 
 pub(crate) fn is_package(name: &str) -> bool {
     let name = name.strip_suffix(".mac").or_else(|| name.strip_suffix(".lisp")).unwrap_or(name);
