@@ -121,7 +121,7 @@ fn is_word(value: &Expr) -> bool {
 }
 
 /// What a function comes to that may take lists by their items.
-fn outcome_with_items(
+pub(super) fn outcome_with_items(
     name: &str,
     parameters: Vec<String>,
     value: Evaluated,
@@ -138,13 +138,7 @@ fn outcome_with_items(
     }
 }
 
-pub(super) fn outcome(
-    name: &str,
-    parameters: Vec<String>,
-    value: Evaluated,
-    span: &Range<usize>,
-    state: &State,
-) -> Outcome {
+fn outcome(name: &str, parameters: Vec<String>, value: Evaluated, span: &Range<usize>, state: &State) -> Outcome {
     let value = match value {
         Ok(value) | Err(Stop::Return(value)) => value,
         Err(Stop::Refused(because)) => return Outcome::Refused(because),

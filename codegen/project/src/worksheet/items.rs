@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use closedform_maxima::Expr;
 
+use super::arrays::item;
 use super::evaluate::{Evaluator, PARAMETER, because_of};
 use super::state::{Evaluated, Refusal};
 use super::tree::{self, small, symbol};
@@ -26,6 +27,15 @@ impl Evaluator {
         let item = symbol(&format!("{PARAMETER}{name}"), span);
         self.items.insert(name, (list, places));
         Ok(item)
+    }
+
+    /// `a[1]` of what is no list that is known: an item of a parameter, or a name.
+    pub(super) fn element(&mut self, array: &Expr, indices: &[Expr], span: &Range<usize>) -> Evaluated {
+        match array.as_symbol().map(|name| (name, name.strip_prefix(PARAMETER))) {
+            Some((_, Some(parameter))) => self.item_of(parameter, indices, span),
+            Some((name, None)) => Ok(symbol(&self.subscripts.of(name, indices), span)),
+            None => Ok(item(array, indices, span)?),
+        }
     }
 
     /// Parameters, those of which items are taken in a value by these, in the order of their places.
