@@ -52,8 +52,11 @@ fn lex_with(text: &str, declared: &[String]) -> (Vec<Token>, Vec<Error>) {
     loop {
         skip_blank(&mut input);
         let (start, checkpoint) = (input.current_token_start(), input.checkpoint());
-        if let Some(length) = lisp_line(text, start) {
-            tokens.extend(statement_of_lisp(&text[start..start + length], start));
+        let begins = tokens.last().is_none_or(|token: &Token| matches!(token.kind, TokenKind::Mark(";" | HIDE)));
+        let line = lisp_line(text, start).map(|length| (LISP, LISP, length));
+        if let Some((mark, function, length)) = line.or_else(|| begins.then(|| question(text, start))?) {
+            let argument = &text[start + mark.len()..start + length];
+            tokens.extend(call_of_line(function, argument, start..start + length));
             input.next_slice(length);
             continue;
         }
@@ -83,12 +86,21 @@ fn lisp_line(text: &str, start: usize) -> Option<usize> {
 /// What Maxima hands to Lisp at the start of a line.
 const LISP: &str = ":lisp";
 
-/// A line of Lisp as a call with a string.
-fn statement_of_lisp(line: &str, start: usize) -> [Token; 5] {
-    let code = TokenKind::String(line[LISP.len()..].trim().to_owned());
-    let kinds =
-        [TokenKind::Symbol(LISP.to_owned()), TokenKind::Mark("("), code, TokenKind::Mark(")"), TokenKind::Mark(HIDE)];
-    kinds.map(|kind| Token { kind, span: start..start + line.len() })
+/// A line that begins a statement and asks Maxima what a word means: what marks it, what answers it, and its length.
+fn question(text: &str, start: usize) -> Option<(&'static str, &'static str, usize)> {
+    let rest = &text[start..];
+    let mark = ["??", "?"]
+        .into_iter()
+        .find(|mark| rest.strip_prefix(mark).is_some_and(|topic| topic.starts_with([' ', '\t'])))?;
+    Some((mark, "describe", rest.find('\n').unwrap_or(rest.len())))
+}
+
+/// A line as a call with a string.
+fn call_of_line(function: &str, argument: &str, span: Range<usize>) -> [Token; 5] {
+    let argument = TokenKind::String(argument.trim().trim_end_matches([';', '$']).to_owned());
+    let function = TokenKind::Symbol(function.to_owned());
+    let kinds = [function, TokenKind::Mark("("), argument, TokenKind::Mark(")"), TokenKind::Mark(HIDE)];
+    kinds.map(|kind| Token { kind, span: span.clone() })
 }
 
 /// Where to go on after an error.
@@ -257,7 +269,15 @@ fn append(mut text: String, next: Option<char>) -> String {
 
 /// Whether a name can begin with the character without a backslash.
 pub(crate) fn begins_symbol(character: char) -> bool {
-    character.is_alphabetic() || matches!(character, '_' | '%')
+    character.is_alphabetic() || matches!(character, '_' | '%') || is_letter_to_maxima(character)
+}
+
+/// Marks of letters, digits and letters below the line, pictures. Maxima takes all that is not ASCII for letters, also what
+/// looks like an operator or exponent and is meant as one: that is told instead.
+fn is_letter_to_maxima(character: char) -> bool {
+    matches!(character,
+        '\u{300}'..='\u{36f}' | '\u{2080}'..='\u{2089}' | '\u{20d0}'..='\u{20f0}' | '\u{2600}'..='\u{27bf}'
+        | '\u{fe0e}' | '\u{fe0f}' | '\u{1f000}'..='\u{1faff}')
 }
 
 /// Whether a name can go on with the character without a backslash.

@@ -207,3 +207,22 @@ fn a_line_of_lisp_is_a_statement() {
     assert_eq!(read[1..], [print(&parse_expression("\\:lisp(\"(car |$x|)\")").expect("parses")), "y:x".to_owned()]);
     assert_eq!(print(&parse_expression("x :lisp").expect("parses")), "x:lisp", "elsewhere it is a name");
 }
+
+#[test]
+fn a_line_that_asks_is_a_statement() {
+    let read =
+        |text: &str| parse_statements(text).expect("parses").iter().map(|it| print(&it.expression)).collect::<Vec<_>>();
+    assert_eq!(read("x: 1$\n? sqrt;\n?? ab\ny: x$"), ["x:1", "describe(\"sqrt\")", "describe(\"ab\")", "y:x"]);
+    assert_eq!(read("?car(x)$"), ["?car(x)"], "without a blank it is a name of Lisp");
+    assert!(parse_statements("x ? y$").is_err(), "elsewhere it asks nothing");
+}
+
+#[test]
+fn letters_are_what_maxima_takes_for_letters_and_nobody_for_an_operator() {
+    for name in ["a\u{301}", "x\u{2081}", "\u{1f350}", "\u{3b1}\u{308}"] {
+        assert_eq!(parse_expression(name).expect("parses").as_symbol(), Some(name));
+    }
+    for text in ["x\u{b2}", "x\u{2260}y", "x\u{b7}y", "x\u{2212}y", "x\u{207b}"] {
+        assert!(parse_expression(text).is_err(), "{text}");
+    }
+}

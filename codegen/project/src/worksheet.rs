@@ -12,6 +12,9 @@ mod differentiate;
 mod effects;
 mod evaluate;
 mod formula;
+mod items;
+mod lists;
+mod loops;
 mod numbers;
 mod reading;
 mod state;
@@ -34,8 +37,9 @@ pub(crate) use reading::Reading;
 pub(crate) use state::Refusal;
 use state::{Binding, State, Stop};
 pub(crate) use statements::spelt;
+pub(crate) use tree::any;
 pub(crate) use wanted::{Wanted, is_about_numbers, wanted};
-pub(crate) use words::{COMPUTE, is_loading, is_package};
+pub(crate) use words::{COMPUTE, ends_maxima, is_loading, is_package};
 
 /// The room that evaluation may take on the stack.
 const STACK: usize = 256 << 20;
@@ -68,16 +72,19 @@ struct Run {
 impl Run {
     fn new(text: &str, files: BTreeMap<String, String>) -> Self {
         let (statements, errors) = parse_what_can_be(text);
-        let mut taken: BTreeSet<String> = mentions(text).into_iter().map(|mention| mention.name).collect();
-        taken.extend(statements.iter().flat_map(|statement| tree::names(&statement.expression)));
+        let taken = names_in(text, &statements);
         let evaluator = Evaluator::new(State::default(), files, arrays::Names::beside(taken));
         let reading = Reading { errors, ..Reading::default() };
         Self { statements, evaluator, defined: Vec::new(), made: BTreeSet::new(), reading }
     }
 
     fn all(mut self) -> Reading {
-        for statement in std::mem::take(&mut self.statements) {
-            self.statement(&statement.expression);
+        for Statement { expression, .. } in std::mem::take(&mut self.statements) {
+            if ends_maxima(&expression) {
+                self.reading.passed.push(("`quit`, and what follows it".to_owned(), expression.span));
+                break;
+            }
+            self.statement(&expression);
         }
         self.harvest(&[]);
         self.reading.inlined = self.evaluator.used;
@@ -102,8 +109,10 @@ impl Run {
         }
         self.note_definitions(&statement);
         self.evaluator.rest();
+        let left = self.evaluator.left;
         let value = self.evaluator.value(&statement);
-        if let Some(what) = passed_over(&statement) {
+        let is_obeyed = matches!(statement.kind, ExprKind::Loop { .. }) && self.evaluator.left == left;
+        if let Some(what) = passed_over(&statement).filter(|_| !is_obeyed) {
             self.reading.passed.push((what, statement.span.clone()));
         }
         self.evaluator.state.last = match value {
@@ -155,6 +164,13 @@ impl Run {
             }
         }
     }
+}
+
+/// Every name of a worksheet.
+fn names_in(text: &str, statements: &[Statement]) -> BTreeSet<String> {
+    let mut names: BTreeSet<String> = mentions(text).into_iter().map(|mention| mention.name).collect();
+    names.extend(statements.iter().flat_map(|statement| tree::names(&statement.expression)));
+    names
 }
 
 /// The names that lose what they stand for in a statement, whose formulas must be made before; an empty list for all.

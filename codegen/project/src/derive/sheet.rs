@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use closedform_build::VERSION;
-use closedform_maxima::{Expr, ExprKind, mentions, parse_expression, print};
+use closedform_maxima::{Expr, ExprKind, mentions, parse_expression, parse_what_can_be, print};
 
 use super::ask::Options;
 use super::error::DeriveError;
@@ -13,7 +13,8 @@ use crate::files;
 use crate::maxima_process::{Message, reaching};
 use crate::script::Script;
 use crate::source;
-use crate::worksheet::{Wanted, is_about_numbers, is_loading, is_package, wanted};
+use crate::statements::statements;
+use crate::worksheet::{Wanted, ends_maxima, is_about_numbers, is_loading, is_package, wanted};
 
 /// What Maxima left of a worksheet, not yet written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -57,7 +58,10 @@ pub fn derive_sheet(worksheet: &Path, options: &Options) -> Result<DerivedSheet,
     let beyond: Vec<(usize, String)> = beyond.into_iter().chain(absent(&script, worksheet, options)).collect();
     let passed = beyond.iter().map(|(at, name)| format!("line {}: passed over: it calls `{name}`", line(*at)));
     let mut passed: Vec<String> = passed.collect();
-    let run = script.without(&beyond.iter().map(|(at, _)| *at).collect::<Vec<_>>());
+    let end = end_of(script.text());
+    passed.extend(end.map(|end| format!("line {}: passed over: `quit`, and what follows it", line(end))));
+    let after = end.into_iter().flat_map(|end| statements_from(script.text(), end));
+    let run = script.without(&beyond.iter().map(|(at, _)| *at).chain(after).collect::<Vec<_>>());
     let names = wanted(run.text());
     let messages = options.maxima.run_script(&run, worksheet, &driver(&names))?;
     let said = Said::read(&messages);
@@ -85,6 +89,16 @@ pub fn derive_sheet(worksheet: &Path, options: &Options) -> Result<DerivedSheet,
     }
     let inputs = closedform_build::hash([&*source::read_bytes(worksheet)?]);
     Ok(DerivedSheet { text: closedform_build::stamped(&text, VERSION, inputs), reference, formulas, passed })
+}
+
+/// Where a statement ends Maxima, which is done all the same when it has read the file.
+fn end_of(text: &str) -> Option<usize> {
+    let (statements, _) = parse_what_can_be(text);
+    statements.iter().map(|statement| &statement.expression).find(|it| ends_maxima(it)).map(|it| it.span.start)
+}
+
+fn statements_from(text: &str, start: usize) -> Vec<usize> {
+    statements(text).into_iter().map(|statement| statement.place.start).filter(|place| *place >= start).collect()
 }
 
 /// The places that load what is neither at hand nor a package that is known.

@@ -319,3 +319,28 @@ fn questions_are_answered_where_they_are_asked() {
     has(&passed.join("; "), &["`f`: Maxima has no value", "Maxima asks: Is n equal to"]);
     has(&left(&[("calc.mac", "solve(x, x)$")]).unwrap_err(), &["leaves no formula"]);
 }
+
+#[test]
+fn what_ends_maxima_does_not_end_the_derivation() {
+    let (text, passed) = left(&[("calc.mac", "y: diff(x^2, x)$\nquit()$\ny: error(\"not read\")$")]).unwrap();
+    assert_eq!(text, "y:2*x$");
+    assert_eq!(passed, ["line 2: passed over: `quit`, and what follows it"]);
+}
+
+#[test]
+fn an_error_of_a_package_is_told_with_its_place() {
+    let said = left(&[("calc.mac", "y: diff(x^2, x)$\nprintf(y, \"a\")$")]).unwrap_err();
+    has(&said, &["Maxima stops", "printf", "calc.mac:2:1"]);
+}
+
+#[test]
+fn elements_of_arrays_stay_inputs() {
+    let text = "y: x[1]^2+integrate(t,t,0,x[2])$ f(v) := v[1]*integrate(t,t,0,v[2])$ g(a) := a^2+b[1,2]$";
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("calc.mac");
+    std::fs::write(&path, text).unwrap();
+    derive_sheet(&path, &options(Duration::from_secs(60))).unwrap().write().unwrap();
+    let kernels = crate::family::Family::sheet(&path).unwrap().family.contract.kernels;
+    let inputs: Vec<String> = kernels.iter().map(|kernel| kernel.inputs.join(",")).collect();
+    assert_eq!(inputs, ["x_2,x_1", "v_1,v_2", "a,b_1_2"]);
+}

@@ -9,6 +9,7 @@ use super::exact::Exact;
 use super::magnitude;
 use crate::construct::integer;
 use crate::expression::{Expr, LowerError, lower};
+use crate::worksheet::any;
 
 /// The largest power a condition may contain; exact arithmetic would never finish beyond.
 const MAX_POWER: i32 = 64;
@@ -96,12 +97,12 @@ fn divisors_in(function: &Ast) -> Vec<&Ast> {
         ExprKind::Unary { operand, .. } => divisors_in(operand),
         ExprKind::Binary { operator, left, right } => {
             let mut divisors = [divisors_in(left), divisors_in(right)].concat();
-            match operator {
-                BinaryOperator::Divide => divisors.push(right),
-                BinaryOperator::Power if constant(right).is_some_and(|exponent| exponent < 0) => divisors.push(left),
-                _ => {}
-            }
-            divisors.retain(|divisor| constant(divisor).is_none_or(|value| value.is_zero()));
+            let own: Option<&Ast> = match operator {
+                BinaryOperator::Divide => Some(right),
+                BinaryOperator::Power => constant(right).is_some_and(|exponent| exponent < 0).then_some(left),
+                _ => None,
+            };
+            divisors.extend(own.filter(|divisor| constant(divisor).is_none_or(|value| value.is_zero())));
             divisors
         }
         _ => Vec::new(),
@@ -110,5 +111,8 @@ fn divisors_in(function: &Ast) -> Vec<&Ast> {
 
 /// The value of a function that names no input.
 fn constant(function: &Ast) -> Option<Rational> {
+    if any(function, &|part| part.as_symbol().is_some()) {
+        return None;
+    }
     Exact::of(&lower(function).ok()?, &[])?.at(&[])
 }

@@ -39,7 +39,11 @@ pub fn lower_errors(ast: &Ast) -> Vec<LowerError> {
         }
         _ => Vec::new(),
     };
-    let inside: Vec<LowerError> = parts.into_iter().flat_map(lower_errors).collect();
+    let mut inside: Vec<LowerError> = parts.into_iter().flat_map(lower_errors).collect();
+    if ast.as_call().is_some_and(|(name, _)| !is_known_function(name)) {
+        // what a function takes that is not known may be no number
+        inside.retain(|error| error.what.starts_with(UNKNOWN_FUNCTION));
+    }
     if inside.is_empty() { vec![error] } else { inside }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use closedform_maxima::ast::Branch;
-use closedform_maxima::{BinaryOperator, Definition, Expr, ExprKind, UnaryOperator, definitions};
+use closedform_maxima::{BinaryOperator, Definition, Expr, ExprKind, Relation, UnaryOperator, definitions};
 use miette::{Diagnostic, SourceSpan};
 use thiserror::Error;
 
@@ -113,13 +113,15 @@ pub enum ReferenceMistake {
         span: SourceSpan,
     },
     /// Not arithmetic at all.
-    #[error("`{worksheet}` is not a closed form")]
+    #[error("`{worksheet}` is not a closed form: {what}")]
     #[diagnostic(help("kernels know + - * / ^, {} and positive_root(polynomial, x)", known_functions()))]
     NotArithmetic {
         /// The function.
         worksheet: String,
+        /// Why not.
+        what: &'static str,
         /// Where.
-        #[label("neither number, variable nor arithmetic")]
+        #[label("here")]
         span: SourceSpan,
     },
 }
@@ -239,6 +241,10 @@ impl<'a> Body<'a> {
             ExprKind::Unary { operator: UnaryOperator::Plus | UnaryOperator::Minus, operand } => {
                 self.expression(operand)
             }
+            ExprKind::Unary { operator: UnaryOperator::Factorial, .. } => self.unknown("factorial", expression),
+            ExprKind::Unary { operator: UnaryOperator::DoubleFactorial, .. } => {
+                self.unknown("double_factorial", expression);
+            }
             ExprKind::Binary { operator, left, right } if is_arithmetic(*operator) => {
                 self.expression(left);
                 self.expression(right);
@@ -291,13 +297,14 @@ impl<'a> Body<'a> {
                 items.iter().for_each(|item| self.expression(item))
             }
             Some(("positive_root", [polynomial, variable])) => self.root(polynomial, variable),
-            Some((name, _)) => {
-                let (worksheet, name) = (self.definition.name.clone(), name.to_owned());
-                let span = expression.span.clone().into();
-                self.mistakes.push(ReferenceMistake::UnknownFunction { worksheet, name, span });
-            }
+            Some((name, _)) => self.unknown(name, expression),
             None => self.not_arithmetic(expression),
         }
+    }
+
+    fn unknown(&mut self, function: &str, place: &Expr) {
+        let (worksheet, name, span) = (self.definition.name.clone(), function.to_owned(), place.span.clone().into());
+        self.mistakes.push(ReferenceMistake::UnknownFunction { worksheet, name, span });
     }
 
     /// The variable of a root means something inside the polynomial only, so it cannot be a parameter too.
@@ -328,7 +335,24 @@ impl<'a> Body<'a> {
 
     fn not_arithmetic(&mut self, place: &Expr) {
         let (worksheet, span) = (self.definition.name.clone(), place.span.clone().into());
-        self.mistakes.push(ReferenceMistake::NotArithmetic { worksheet, span });
+        self.mistakes.push(ReferenceMistake::NotArithmetic { worksheet, what: no_number(place), span });
+    }
+}
+
+/// Why something is no number, in words.
+fn no_number(place: &Expr) -> &'static str {
+    match &place.kind {
+        ExprKind::Binary { operator: BinaryOperator::Compare(Relation::Equal), .. } => "an equation is no number",
+        ExprKind::Binary {
+            operator: BinaryOperator::Compare(_) | BinaryOperator::And | BinaryOperator::Or, ..
+        }
+        | ExprKind::Unary { operator: UnaryOperator::Not, .. } => "a condition is no number",
+        ExprKind::List(_) => "a list is no number",
+        ExprKind::Set(_) => "a set is no number",
+        ExprKind::String(_) => "a text is no number",
+        ExprKind::Quote { .. } => "what is quoted is no number",
+        ExprKind::Symbol(_) => "the unknown of a root is a parameter too",
+        _ => "this is no arithmetic",
     }
 }
 

@@ -38,8 +38,8 @@ pub(super) fn operation(name: &str, operands: Vec<Value>, span: &Range<usize>) -
 fn arity(name: &str) -> Option<fn(usize) -> bool> {
     Some(match name {
         "+" | "*" => |count| count >= 1,
-        "-" => |count| count == 1 || count == 2,
-        "/" | "fmin" | "fmax" | "fdim" | "hypot" | "pow" | "atan2" => |count| count == 2,
+        "-" | "/" => |count| count == 1 || count == 2,
+        "fmin" | "fmax" | "fdim" | "fmod" | "remainder" | "hypot" | "pow" | "atan2" => |count| count == 2,
         "fabs" | "sqrt" | "cbrt" | "not" | "expm1" | "log1p" | "exp2" | "log2" | "log10" => |count| count == 1,
         "floor" | "ceil" | "trunc" | "nearbyint" | "rint" => |count| count == 1,
         "fma" => |count| count == 3,
@@ -78,6 +78,8 @@ fn known(name: &str, operands: Vec<Expr>) -> Expr {
     };
     match (operator, name, operands.as_slice()) {
         (_, "-", [operand]) => negative(operand.clone()),
+        // as Herbie writes the inverse
+        (_, "/", [operand]) => binary(BinaryOperator::Divide, integer(1), operand.clone()),
         (Some(operator), ..) => joined(operator, operands).unwrap_or_else(always),
         (_, "not", [operand]) => {
             ExprKind::Unary { operator: UnaryOperator::Not, operand: Box::new(operand.clone()) }.into()
@@ -89,6 +91,9 @@ fn known(name: &str, operands: Vec<Expr>) -> Expr {
         (_, "nearbyint" | "rint", _) => called("round", operands),
         (_, "fmin", _) => called("min", operands),
         (_, "fmax", _) => called("max", operands),
+        // they differ in how the quotient becomes an integer
+        (_, "fmod", [x, y]) => left_of(x, y, "truncate"),
+        (_, "remainder", [x, y]) => left_of(x, y, "round"),
         (_, "fdim", [x, y]) => called("max", vec![binary(BinaryOperator::Subtract, x.clone(), y.clone()), integer(0)]),
         (_, "hypot", [x, y]) => {
             let sum = binary(BinaryOperator::Add, squared(x.clone()), squared(y.clone()));
@@ -111,6 +116,13 @@ fn known(name: &str, operands: Vec<Expr>) -> Expr {
         }
         _ => called(name, operands),
     }
+}
+
+/// What a divisor leaves of a number when it is taken away as often as this function of the quotient says.
+fn left_of(number: &Expr, divisor: &Expr, function: &str) -> Expr {
+    let often = called(function, vec![binary(BinaryOperator::Divide, number.clone(), divisor.clone())]);
+    let taken = binary(BinaryOperator::Multiply, divisor.clone(), often);
+    binary(BinaryOperator::Subtract, number.clone(), taken)
 }
 
 fn called(name: &str, arguments: Vec<Expr>) -> Expr {

@@ -49,6 +49,8 @@ fn every_operation_has_its_formula() {
         ("(expm1 x)", "exp(x)-1"),
         ("(- (floor x) (ceil x))", "floor(x)-ceiling(x)"),
         ("(+ (trunc x) (nearbyint x) (rint y))", "truncate(x)+round(x)+round(y)"),
+        ("(- (/ x))", "-(1/x)"),
+        ("(+ (fmod x y) (remainder x y))", "x-y*truncate(x/y)+(x-y*round(x/y))"),
         ("(let ([x y] [y x]) (- x y))", "y-x"),
         ("(let* ([x y] [y (+ x 1)]) (- x y))", "y-(y+1)"),
         ("(let ([t (+ x 1)]) (let ([x 2]) (* t x)))", "(x+1)*2"),

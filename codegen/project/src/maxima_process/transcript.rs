@@ -12,7 +12,7 @@ use super::question;
 pub(super) const END: &str = "end";
 
 /// Lines that show that Maxima gave up a statement.
-const FAILURES: [&str; 3] = ["-- an error. To debug this try", "incorrect syntax", "Maxima encountered a Lisp error"];
+const FAILURES: [&str; 3] = ["-- an error.", "incorrect syntax", "Maxima encountered a Lisp error"];
 
 /// One message of the driver.
 #[derive(Debug, Clone, PartialEq, Eq)]

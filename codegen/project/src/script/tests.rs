@@ -109,6 +109,16 @@ const CONTENT: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
 </wxMaximaDocument>";
 
 #[test]
+fn cells_end_with_lines_that_end_by_themselves() {
+    for last in [":lisp (setq x 1)", "? sqrt", "?? ab"] {
+        let cell = |text: &str| format!("/* [wxMaxima: input   start ] */\n{text}\n/* [wxMaxima: input   end   ] */\n");
+        let read = script("a.wxm", (cell(last) + &cell("f(x) := x")).as_bytes()).unwrap();
+        let (statements, errors) = closedform_maxima::parse_what_can_be(read.text());
+        assert!(errors.is_empty() && statements.len() == 2, "{last}: {errors:?}");
+    }
+}
+
+#[test]
 fn the_input_cells_of_a_document_are_code() {
     for compressed in [false, true] {
         let read = script("a.wxmx", &document(CONTENT, compressed)).unwrap();

@@ -5,7 +5,7 @@
 
 use std::borrow::Cow;
 
-use crate::statements::{statements, unclosed};
+use crate::statements::{Statement, statements, unclosed};
 
 /// What every mark begins with.
 const MARK: &str = "[wxMaxima: ";
@@ -94,5 +94,12 @@ pub(super) fn ended(cell: &str) -> Cow<'_, str> {
 }
 
 fn lacks_end(cell: &str) -> bool {
-    unclosed(cell).is_none() && statements(cell).last().is_some_and(|last| !last.ended)
+    let lacks = |last: &Statement| !last.ended && !cell[last.place.clone()].lines().last().is_some_and(is_command);
+    unclosed(cell).is_none() && statements(cell).last().is_some_and(lacks)
+}
+
+/// Whether a line ends by itself: one for Lisp, or a question.
+fn is_command(line: &str) -> bool {
+    let line = line.trim_start();
+    [":lisp ", ":lisp(", "? ", "?? "].iter().any(|mark| line.starts_with(mark))
 }

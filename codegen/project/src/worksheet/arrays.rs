@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, print};
 
-use super::evaluate::{Evaluator, PARAMETER, elsewhere, key};
+use super::evaluate::{Evaluator, PARAMETER, because_of, elsewhere, key};
 use super::state::{Binding, Evaluated, Refusal};
 use super::tree::{self, binary, call, list, rows, small, symbol};
 
@@ -25,7 +25,7 @@ impl Names {
     }
 
     /// `x_1` for `x[1]`, and a longer one if that is another name of the worksheet.
-    fn of(&mut self, array: &str, indices: &[Expr]) -> String {
+    pub(super) fn of(&mut self, array: &str, indices: &[Expr]) -> String {
         let element = key(array, indices);
         if let Some(name) = self.given.get(&element) {
             return name.clone();
@@ -48,15 +48,17 @@ impl Evaluator {
         let span = &whole.span;
         let Some(name) = array.as_symbol() else {
             let array = self.value(array)?;
-            return item(&array, &indices, span).map_err(Into::into);
+            return match array.as_symbol().and_then(|marked| marked.strip_prefix(PARAMETER)) {
+                Some(parameter) => self.item_of(parameter, &indices, span),
+                None => item(&array, &indices, span).map_err(Into::into),
+            };
         };
         let mut name = name.to_owned();
         match self.state.variables.get(&name).cloned() {
             Some(Binding::Unknown(because)) => return Err(elsewhere(&because, span).into()),
             Some(Binding::Value(array)) => match array.as_symbol() {
-                Some(parameter) if parameter.starts_with(PARAMETER) => {
-                    let what = format!("the parameter `{name}` is a list or an array");
-                    return Err(Refusal::new(what, "give each of its items a parameter", span).into());
+                Some(marked) if let Some(parameter) = marked.strip_prefix(PARAMETER) => {
+                    return self.item_of(parameter, &indices, span);
                 }
                 Some(other) => other.clone_into(&mut name),
                 None => return item(&array, &indices, span).map_err(Into::into),
@@ -100,6 +102,10 @@ impl Evaluator {
         let indices: Vec<Expr> = indices.iter().map(|index| self.value(index)).collect::<Evaluated<_>>()?;
         let held = match self.state.variables.get(name) {
             Some(Binding::Value(held)) if list(held).is_some() || rows(held).is_some() => held.clone(),
+            Some(Binding::Value(held)) if held.as_symbol().is_some_and(|name| name.starts_with(PARAMETER)) => {
+                let what = format!("the parameter `{name}` is a list that the function changes");
+                return Err(Refusal::new(what, "give its items names of their own in the function", span).into());
+            }
             _ => {
                 let value = Binding::Value(Rc::new(value.clone()));
                 self.state.variables.insert(key(name, &indices), value);
@@ -144,7 +150,7 @@ pub(super) fn item(array: &Expr, indices: &[Expr], span: &Range<usize>) -> Resul
         (Some(items), _, [index, rest @ ..]) if !rest.is_empty() => {
             return match position(index).and_then(|at| items.get(at)) {
                 Some(inner) => item(inner, rest, span),
-                None => Err(no_item(span)),
+                None => Err(no_item(array, span)),
             };
         }
         (_, Some(rows), [row]) => {
@@ -155,11 +161,12 @@ pub(super) fn item(array: &Expr, indices: &[Expr], span: &Range<usize>) -> Resul
         }
         _ => None,
     };
-    found.ok_or_else(|| no_item(span))
+    found.ok_or_else(|| no_item(array, span))
 }
 
-fn no_item(span: &Range<usize>) -> Refusal {
-    Refusal::new("there is no item at this subscript, or it is not a number", "write the item itself", span)
+fn no_item(array: &Expr, span: &Range<usize>) -> Refusal {
+    let what = "there is no item at this subscript, or it is not a number";
+    because_of(&[array], Refusal::new(what, "write the item itself", span))
 }
 
 /// Something done to every item of a list or matrix, or side of an equation; or to the value itself.
@@ -264,13 +271,20 @@ fn product(left: &Expr, right: &Expr, span: &Range<usize>) -> Result<Expr, Refus
     }
     let as_column = |items: &[Expr]| items.iter().map(|item| vec![item.clone()]).collect::<Vec<_>>();
     let owned = |value: &Expr| rows(value).map(|rows| rows.into_iter().map(<[Expr]>::to_vec).collect::<Vec<_>>());
-    let right_rows = owned(right).or_else(|| list(right).map(as_column)).ok_or_else(|| shapes(span))?;
-    let left_rows = owned(left).or_else(|| list(left).map(|row| vec![row.to_vec()])).ok_or_else(|| shapes(span))?;
+    let as_row = |items: &[Expr]| vec![items.to_vec()];
+    let left_rows = owned(left).or_else(|| list(left).map(as_row)).ok_or_else(|| shapes(span))?;
+    // a list is a column, unless only a row fits
+    let is_column = left_rows.iter().all(|row| row.len() == 1);
+    let fitting = |items: &[Expr]| if is_column { as_row(items) } else { as_column(items) };
+    let right_rows = owned(right).or_else(|| list(right).map(fitting)).ok_or_else(|| shapes(span))?;
     let columns = right_rows.first().map_or(0, Vec::len);
     if left_rows.iter().any(|row| row.len() != right_rows.len()) || right_rows.iter().any(|row| row.len() != columns) {
         return Err(shapes(span));
     }
     let column = |at: usize| right_rows.iter().map(|row| row[at].clone()).collect::<Vec<_>>();
+    if let ([row], 1) = (left_rows.as_slice(), columns) {
+        return dot(row, &column(0)); // one number is no matrix
+    }
     let mut made = Vec::new();
     for row in &left_rows {
         let items = (0..columns).map(|at| dot(row, &column(at))).collect::<Result<Vec<_>, _>>()?;

@@ -3,18 +3,21 @@
 use std::ops::Range;
 use std::rc::Rc;
 
+use closedform_maxima::ast::Branch;
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation};
 
-use super::arrays::{self, determinant, transposed};
+use super::arrays;
 use super::differentiate::differentiated;
-use super::evaluate::Evaluator;
+use super::evaluate::{Evaluator, because_of};
+use super::lists::of_lists;
 use super::numbers;
 use super::state::{Binding, Evaluated, Refusal, Saved, Stop};
-use super::tree::{self, any, call, list, put, rows, small, symbol};
+use super::tree::{self, any, call, list, put, small, symbol};
 use super::words::{self, COMPUTE};
+use crate::expression::is_known_function;
 
 /// The most items that a sum, product or list is written out with.
-const ITEMS: i64 = 1000;
+pub(super) const ITEMS: i64 = 1000;
 
 impl Evaluator {
     pub(super) fn call(&mut self, whole: &Expr, function: &Expr, arguments: &[Expr]) -> Evaluated {
@@ -76,7 +79,7 @@ impl Evaluator {
             ("block", _) => self.block(arguments, span),
             ("return", [value]) => Err(Stop::Return(self.value(value)?)),
             ("lambda" | "buildq", _) => Ok(whole.clone()),
-            ("ev", [inner, options @ ..]) => self.ev(inner, options),
+            ("ev", [inner, options @ ..]) => self.ev_or_doubt(inner, options),
             ("define", [head, body]) => {
                 let body = self.value(body)?;
                 self.define(head, body, false, span);
@@ -100,7 +103,8 @@ impl Evaluator {
                 Ok(Expr::new(ExprKind::List(made.collect::<Evaluated<_>>()?), span.clone()))
             }
             _ if self.is_statement(name) => self.statement(whole, name, arguments),
-            _ if arguments.iter().any(changes) => {
+            // what is said to be a formula evaluates what it is given once, as Maxima does
+            _ if arguments.iter().any(changes) && !words::is_form(name) && !is_known_function(name) => {
                 self.leave(whole, &format!("a call of `{name}`"));
                 let because = Refusal::new(format!("`{name}` is not known"), "write it as a formula", span);
                 Err(because.into())
@@ -114,7 +118,6 @@ impl Evaluator {
 
     /// Functions of values.
     fn of_values(&mut self, name: &str, arguments: Vec<Expr>, span: &Range<usize>) -> Evaluated {
-        let item = |value: Option<&Expr>| value.cloned();
         let made = match (name, arguments.as_slice()) {
             ("subst", [equations, value]) | ("at", [value, equations]) => {
                 let in_turn = name == "subst";
@@ -140,28 +143,6 @@ impl Evaluator {
             }
             ("rhs", [equation]) => side(equation, false),
             ("lhs", [equation]) => side(equation, true),
-            ("first" | "second" | "third" | "fourth" | "fifth", [items]) => {
-                let at = ["first", "second", "third", "fourth", "fifth"].iter().position(|word| *word == name);
-                list(items).and_then(|items| item(items.get(at?)))
-            }
-            ("last", [items]) => list(items).and_then(|items| item(items.last())),
-            ("part" | "inpart", [array, indices @ ..]) if list(array).is_some() || rows(array).is_some() => {
-                Some(arrays::item(array, indices, span)?)
-            }
-            ("length", [items]) => {
-                let count = list(items).map(<[Expr]>::len).or_else(|| rows(items).map(|rows| rows.len()));
-                count.and_then(|count| i64::try_from(count).ok()).map(|count| tree::number(count, span))
-            }
-            ("append", lists) => {
-                let items = lists.iter().map(list).collect::<Option<Vec<_>>>();
-                items.map(|items| Expr::new(ExprKind::List(items.concat()), span.clone()))
-            }
-            ("reverse", [items]) => {
-                list(items).map(|items| Expr::new(ExprKind::List(items.iter().rev().cloned().collect()), span.clone()))
-            }
-            ("transpose", [matrix]) => rows(matrix).and_then(|rows| transposed(&rows, span)),
-            ("determinant", [matrix]) => rows(matrix)
-                .and_then(|rows| determinant(&rows.into_iter().map(<[Expr]>::to_vec).collect::<Vec<_>>(), span)),
             ("map" | "maplist", [function, items]) => match list(items).map(<[Expr]>::to_vec) {
                 Some(items) => {
                     let made = items.into_iter().map(|item| self.call_value(function, vec![item], span));
@@ -173,19 +154,15 @@ impl Evaluator {
                 Some(items) => return self.call_value(function, items, span),
                 None => None,
             },
-            ("is", [condition]) => Some(match numbers::decided(condition) {
+            ("is" | "maybe", [condition]) => Some(match numbers::decided(condition) {
                 Some(holds) => symbol(if holds { "true" } else { "false" }, span),
                 None => condition.clone(),
             }),
-            ("factorial", [number]) => {
-                let unary = ExprKind::Unary {
-                    operator: closedform_maxima::UnaryOperator::Factorial,
-                    operand: Box::new(number.clone()),
-                };
-                Some(Expr::new(unary, span.clone()))
-            }
+            ("factorial", [number]) => Some(factorial(number, span)),
+            ("fix", [number]) => Some(call("floor", vec![number.clone()], span)),
+            ("unit_step", [number]) => Some(unit_step(number, span)),
             (_, [value, ..]) if words::is_form(name) => Some(form(name, value, span)?),
-            _ => None,
+            _ => of_lists(name, &arguments, span)?,
         };
         Ok(made.unwrap_or_else(|| call(name, arguments, span)))
     }
@@ -227,8 +204,17 @@ impl Evaluator {
         }
     }
 
+    /// `ev(e, x=1, ..)`; what an option that cannot be obeyed leaves undone is not known.
+    pub(super) fn ev_or_doubt(&mut self, inner: &Expr, options: &[Expr]) -> Evaluated {
+        let value = self.ev(inner, options);
+        if let Err(Stop::Refused(because)) = &value {
+            self.doubt(inner, because);
+        }
+        value
+    }
+
     /// `ev(e, x=1, ..)`: what is evaluated sees the equations, and its value is evaluated once more.
-    pub(super) fn ev(&mut self, inner: &Expr, options: &[Expr]) -> Evaluated {
+    fn ev(&mut self, inner: &Expr, options: &[Expr]) -> Evaluated {
         let mut equations = Vec::new();
         for option in options {
             let option = match &option.kind {
@@ -259,6 +245,10 @@ impl Evaluator {
         };
         match &option.kind {
             ExprKind::Symbol(name) if words::is_flag(name) => Ok(()),
+            ExprKind::Symbol(name) if words::computes(name) || words::is_evaluation(name) => {
+                let what = format!("it must be computed: `{name}` of `ev` tells Maxima to");
+                Err(Refusal::new(what, COMPUTE, &option.span).into())
+            }
             ExprKind::Binary {
                 operator: BinaryOperator::Compare(Relation::Equal) | BinaryOperator::Assign,
                 left,
@@ -266,13 +256,18 @@ impl Evaluator {
             } => {
                 let Some(name) = left.as_symbol() else { return Err(unknown().into()) };
                 let value = self.value(right)?;
+                if value.as_symbol().is_some_and(|value| words::changes_arithmetic(name, value)) {
+                    return Err(unknown().into());
+                }
                 if !words::is_flag(name) {
                     equations.push((name.to_owned(), value));
                 }
                 Ok(())
             }
-            ExprKind::Symbol(_) => match self.value(option)? {
-                value if value != *option && (list(&value).is_some() || side(&value, true).is_some()) => {
+            _ => match self.value(option)? {
+                // a name without a value says nothing to Maxima
+                value if value == *option && self.says_nothing(option) => Ok(()),
+                value if list(&value).is_some() || side(&value, true).is_some() => {
                     let items = list(&value).map_or_else(|| vec![value.clone()], <[Expr]>::to_vec);
                     for equation in items {
                         let (Some(left), Some(right)) = (side(&equation, true), side(&equation, false)) else {
@@ -282,10 +277,14 @@ impl Evaluator {
                     }
                     Ok(())
                 }
-                _ => Err(unknown().into()),
+                value => Err(because_of(&[&value], unknown()).into()),
             },
-            _ => Err(unknown().into()),
         }
+    }
+
+    /// Whether an option of `ev` is a name that means nothing.
+    fn says_nothing(&self, option: &Expr) -> bool {
+        option.as_symbol().is_some_and(|name| !self.state.functions.contains_key(name))
     }
 
     /// `sum`, `product` and `makelist` between numbers, written out.
@@ -300,7 +299,8 @@ impl Evaluator {
         let (from, to) = (self.value(from)?, self.value(to)?);
         let (Some(first), Some(last)) = (small(&from), small(&to)) else {
             let what = format!("a {name} whose number of terms is not known");
-            return Err(Refusal::new(what, "write it with numbers as its ends", span).into());
+            let because = Refusal::new(what, "write it with numbers as its ends", span);
+            return Err(because_of(&[&from, &to], because).into());
         };
         if last.saturating_sub(first) >= ITEMS {
             let what = format!("a {name} of more than {ITEMS} terms");
@@ -360,11 +360,13 @@ fn substituted(equations: &Expr, value: &Expr, in_turn: bool, span: &Range<usize
         let pair = side(equation, true).zip(side(equation, false));
         let pair = pair.and_then(|(old, new)| Some((old.as_symbol().filter(|name| is_free(name))?.to_owned(), new)));
         let what = "`subst` of something else than free names by values";
-        pairs.push(pair.ok_or_else(|| Refusal::new(what, "let Maxima do it, and write what it gives", span))?);
+        let because = || because_of(&[equation], Refusal::new(what, "let Maxima do it, and write what it gives", span));
+        pairs.push(pair.ok_or_else(because)?);
     }
     // what is still to be computed must not be computed with other names
     if any(value, &|part| part.as_call().is_some_and(|(name, _)| words::computes(name) || name == "lambda")) {
-        return Err(Refusal::new("`subst` into what only Maxima can compute", COMPUTE, span));
+        let what = "it must be computed: `subst` into what only Maxima can compute";
+        return Err(Refusal::new(what, COMPUTE, span));
     }
     if !in_turn {
         return Ok(put(value, &|name| pairs.iter().find(|(old, _)| old == name).map(|(_, new)| new.clone())));
@@ -374,6 +376,19 @@ fn substituted(equations: &Expr, value: &Expr, in_turn: bool, span: &Range<usize
 
 fn is_free(name: &str) -> bool {
     !name.starts_with([super::evaluate::PARAMETER, super::evaluate::ROOT, '%'])
+}
+
+fn factorial(number: &Expr, span: &Range<usize>) -> Expr {
+    let operator = closedform_maxima::UnaryOperator::Factorial;
+    Expr::new(ExprKind::Unary { operator, operand: Box::new(number.clone()) }, span.clone())
+}
+
+/// 1 of positive numbers, 0 of the others.
+fn unit_step(number: &Expr, span: &Range<usize>) -> Expr {
+    let (one, zero) = (tree::number(1, span), tree::number(0, span));
+    let condition = tree::binary(BinaryOperator::Compare(Relation::Greater), number.clone(), zero.clone(), span);
+    let branches = vec![Branch { condition, value: one }];
+    Expr::new(ExprKind::If { branches, otherwise: Some(Box::new(zero)) }, span.clone())
 }
 
 /// Another form of a value. Forms of fractions would replace floats by fractions near them.

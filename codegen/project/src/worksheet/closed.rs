@@ -1,22 +1,27 @@
 //! Formulas that Maxima has computed: each definition is what it says, and nothing is put in or evaluated any more.
 
+use std::collections::BTreeMap;
+
 use closedform_maxima::ast::Quoting;
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, parse_what_can_be};
 
-use super::formula::{Outcome, find, marked_in, outcome};
+use super::arrays::Names;
+use super::evaluate::Evaluator;
+use super::formula::{Outcome, marked_in, outcome_with_items as outcome};
 use super::reading::Reading;
-use super::state::{Refusal, State};
-use super::tree::list;
+use super::state::{Evaluated, Refusal, State};
+use super::tree::{find, list, map};
 use super::words;
 
 /// Reads `f(x):=formula$`, `name:formula$` and `assume(x>0)$`.
 pub(crate) fn closed(text: &str) -> Reading {
     let (statements, errors) = parse_what_can_be(text);
     let mut reading = Reading { errors, ..Reading::default() };
-    let mut state = State::default();
+    let names = Names::beside(super::names_in(text, &statements));
+    let mut evaluator = Evaluator::new(State::default(), BTreeMap::new(), names);
     for statement in &statements {
         if let Some(("assume", facts)) = statement.expression.as_call() {
-            state.facts.extend(facts.iter().map(super::statements::comparison));
+            evaluator.state.facts.extend(facts.iter().map(super::statements::comparison));
         }
     }
     for statement in &statements {
@@ -26,8 +31,8 @@ pub(crate) fn closed(text: &str) -> Reading {
         let outcome = match uncomputed(&name, &value) {
             Some(because) => Outcome::Refused(because),
             None => {
-                let value = marked_in(&value, &parameters);
-                outcome(&name, parameters, Ok(value), span, &state)
+                let value = subscripts_named(&marked_in(&value, &parameters), &mut evaluator);
+                outcome(&name, parameters, value, span, &evaluator)
             }
         };
         match outcome {
@@ -60,6 +65,17 @@ fn applied(parameters: Vec<String>, value: Expr) -> (Vec<String>, Expr) {
     match names {
         Some(own) if parameters.is_empty() => (own, body.clone()),
         _ => (parameters, value),
+    }
+}
+
+/// A value with names for its elements of arrays and items of parameters.
+fn subscripts_named(value: &Expr, evaluator: &mut Evaluator) -> Evaluated {
+    match &value.kind {
+        ExprKind::Subscript { array, indices } => {
+            let array = subscripts_named(array, evaluator)?;
+            evaluator.element(&array, indices, &value.span)
+        }
+        _ => map(value, &mut |part| subscripts_named(part, evaluator)),
     }
 }
 

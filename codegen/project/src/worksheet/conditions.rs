@@ -22,7 +22,10 @@ impl Evaluator {
         let mut kept: Vec<Branch> = Vec::new();
         let mut last = None;
         for Branch { condition, value } in branches {
-            let condition = self.value(condition)?;
+            let condition = match self.value(condition) {
+                Ok(condition) => comparison(&condition),
+                Err(stop) => return Err(self.undecidable(stop, branches, otherwise)),
+            };
             match numbers::decided(&condition) {
                 Some(false) => {}
                 Some(true) => {
@@ -31,7 +34,7 @@ impl Evaluator {
                 }
                 None => {
                     let value = self.under_condition(value, span)?;
-                    kept.push(Branch { condition: comparison(&condition), value });
+                    kept.push(Branch { condition, value });
                 }
             }
         }
@@ -43,6 +46,15 @@ impl Evaluator {
                 Ok(Expr::new(ExprKind::If { branches: kept, otherwise }, span.clone()))
             }
         }
+    }
+
+    /// Which side counts cannot be known, nor what any of them changes.
+    fn undecidable(&mut self, stop: Stop, branches: &[Branch], otherwise: Option<&Expr>) -> Stop {
+        if let Stop::Refused(because) = &stop {
+            let sides = branches.iter().map(|branch| &branch.value).chain(otherwise);
+            sides.for_each(|side| self.doubt(side, because));
+        }
+        stop
     }
 
     /// A value that counts under a condition only: what it changes is not known afterwards.

@@ -28,6 +28,10 @@ pub(super) struct Evaluator {
     pub(super) used: BTreeSet<String>,
     /// Files that are loaded and not at hand, in words.
     pub(super) absent: Vec<(String, Range<usize>)>,
+    /// Names for the items of parameters that are lists: the parameter, and which item.
+    pub(super) items: BTreeMap<String, (String, Vec<i64>)>,
+    /// How many loops were not run through.
+    pub(super) left: usize,
     /// The functions being called, outermost first, each with the number of undecided conditions around it.
     open: Vec<(String, usize)>,
     /// How many conditions around the current place are not decided.
@@ -39,8 +43,20 @@ pub(super) struct Evaluator {
 
 impl Evaluator {
     pub(super) fn new(state: State, files: BTreeMap<String, String>, subscripts: arrays::Names) -> Self {
-        let (used, absent) = (BTreeSet::new(), Vec::new());
-        Self { state, files, subscripts, used, absent, open: Vec::new(), undecided: 0, depth: 0, size: 0, roots: 0 }
+        Self {
+            state,
+            files,
+            subscripts,
+            used: BTreeSet::new(),
+            absent: Vec::new(),
+            items: BTreeMap::new(),
+            left: 0,
+            open: Vec::new(),
+            undecided: 0,
+            depth: 0,
+            size: 0,
+            roots: 0,
+        }
     }
 
     /// Begins another formula.
@@ -74,11 +90,8 @@ impl Evaluator {
             ExprKind::Unary { operator, operand } => self.unary(*operator, operand, span),
             ExprKind::Binary { operator, left, right } => self.binary(*operator, left, right, expression),
             ExprKind::If { branches, otherwise } => self.condition(branches, otherwise.as_deref(), span),
-            ExprKind::Loop { .. } => {
-                self.leave(expression, "a loop");
-                Ok(symbol("done", span))
-            }
-            ExprKind::Ev { expression: inner, options } => self.ev(inner, options),
+            ExprKind::Loop { clauses, body } => Ok(self.repeated(expression, clauses, body)),
+            ExprKind::Ev { expression: inner, options } => self.ev_or_doubt(inner, options),
             ExprKind::List(_) | ExprKind::Set(_) => tree::map(expression, &mut |part| self.value(part)),
         }
     }
@@ -98,6 +111,9 @@ impl Evaluator {
                 let what = format!("`{name}` is the label of an input or output, which a file does not have");
                 return Err(Refusal::new(what, "give the result a name: `name: ..$`", span).into());
             }
+        }
+        if name == "%phi" {
+            return Ok(tree::golden_ratio(span));
         }
         match self.state.variables.get(name).cloned() {
             Some(Binding::Value(value)) => {
@@ -127,8 +143,8 @@ impl Evaluator {
             (_, ExprKind::Symbol(name)) => Ok(symbol(name, span)),
             (Quoting::Expression, _) => Ok(quoted.clone()),
             (Quoting::Noun, _) => {
-                let what = "a noun form, which stands for no number until it is evaluated";
-                Err(Refusal::new(what, "write it without the quote, or let Maxima evaluate it", span).into())
+                let what = "it must be computed: a noun form stands for no number until Maxima evaluates it";
+                Err(Refusal::new(what, words::COMPUTE, span).into())
             }
             // what is left of them was spliced in when the statement was read
             (Quoting::Verb | Quoting::Value, _) => self.value(quoted),
@@ -146,13 +162,31 @@ impl Evaluator {
         }
     }
 
-    /// All items in turn; the value of the last one.
+    /// All items in turn; the value of the last one. What cannot be known of one of them does not end a statement: Maxima
+    /// goes on, and so do the items after it, unless it might have returned. In a function it ends the call.
     pub(super) fn in_turn(&mut self, items: &[Expr], span: &Range<usize>) -> Evaluated {
         let mut last = symbol("done", span);
-        for item in items {
-            last = self.value(item)?;
+        for (at, item) in items.iter().enumerate() {
+            match self.value(item) {
+                Ok(value) => last = value,
+                Err(Stop::Refused(because)) if at + 1 < items.len() => {
+                    let ends =
+                        !self.open.is_empty() || any(item, &|part| matches!(part.as_call(), Some(("return", _))));
+                    let unknown = if ends { &items[at..] } else { &items[at..=at] };
+                    unknown.iter().for_each(|item| self.doubt(item, &because));
+                    if ends {
+                        return Err(because.into());
+                    }
+                }
+                stop => return stop,
+            }
         }
         Ok(last)
+    }
+
+    /// What an expression that was not evaluated to its end may change is not known any more.
+    pub(super) fn doubt(&mut self, expression: &Expr, because: &Refusal) {
+        Effects::of(expression, &self.state).apply(&mut self.state, because);
     }
 
     fn unary(&mut self, operator: UnaryOperator, operand: &Expr, span: &Range<usize>) -> Evaluated {
@@ -328,7 +362,7 @@ impl Evaluator {
     pub(super) fn leave(&mut self, expression: &Expr, what: &str) {
         let remedy = "write it as a formula: kernels are straight lines";
         let because = Refusal::new(format!("it is changed in {what}"), remedy, &expression.span);
-        Effects::of(expression, &self.state).apply(&mut self.state, &because);
+        self.doubt(expression, &because);
     }
 
     /// What changes everything, so that nothing before it is known any more.
@@ -359,6 +393,24 @@ fn too_large(span: &Range<usize>) -> Refusal {
 pub(super) fn elsewhere(because: &Refusal, span: &Range<usize>) -> Refusal {
     let cause = because.cause.clone().or_else(|| Some(because.span.clone()));
     Refusal { span: span.clone(), cause, ..because.clone() }
+}
+
+/// A refusal of values: where one of them is what only Maxima computes, that is why.
+pub(super) fn because_of(values: &[&Expr], otherwise: Refusal) -> Refusal {
+    let mut computing = None;
+    for value in values {
+        tree::find(value, &mut |part| {
+            let name = part.as_call().map(|(name, _)| name).filter(|name| words::computes(name));
+            computing = computing.take().or_else(|| name.map(str::to_owned));
+        });
+    }
+    match computing {
+        Some(name) => {
+            let what = format!("it must be computed: it needs what `{name}` gives");
+            Refusal::new(what, words::COMPUTE, &otherwise.span)
+        }
+        None => otherwise,
+    }
 }
 
 /// Whether a word has a meaning of its own that no statement gives it.

@@ -9,7 +9,7 @@ use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator}
 
 use super::evaluate::{Evaluator, PARAMETER, ROOT, is_constant};
 use super::state::{Binding, Evaluated, Refusal, State, Stop};
-use super::tree::{any, list, names, renamed, rows, symbol};
+use super::tree::{any, find, list, names, renamed, rows, symbol};
 use super::words::COMPUTE;
 use super::{statements, words};
 use crate::expression::{is_known_constant, remedy_of_constant};
@@ -79,7 +79,7 @@ pub(super) fn of_function(name: &str, evaluator: &mut Evaluator) -> Outcome {
     let before = evaluator.state.clone();
     let value = evaluator.apply(name, &function, arguments, &function.span);
     evaluator.state = before;
-    outcome(name, parameters, value, &function.span, &evaluator.state)
+    outcome_with_items(name, parameters, value, &function.span, evaluator)
 }
 
 /// The formula of a variable.
@@ -93,7 +93,7 @@ pub(super) fn of_variable(name: &str, span: &Range<usize>, evaluator: &mut Evalu
                 let before = evaluator.state.clone();
                 let found = evaluator.call_value(&value, arguments, span);
                 evaluator.state = before;
-                outcome(name, parameters, found, span, &evaluator.state)
+                outcome_with_items(name, parameters, found, span, evaluator)
             }
             None if is_word(&value) => Outcome::Constant,
             None => outcome(name, Vec::new(), Ok((*value).clone()), span, &evaluator.state),
@@ -120,13 +120,25 @@ fn is_word(value: &Expr) -> bool {
     matches!(value.kind, ExprKind::Symbol(_) | ExprKind::String(_))
 }
 
-pub(super) fn outcome(
+/// What a function comes to that may take lists by their items.
+pub(super) fn outcome_with_items(
     name: &str,
     parameters: Vec<String>,
     value: Evaluated,
     span: &Range<usize>,
-    state: &State,
+    evaluator: &Evaluator,
 ) -> Outcome {
+    let parameters = match &value {
+        Ok(value) | Err(Stop::Return(value)) => evaluator.with_items(parameters, value),
+        Err(Stop::Refused(_)) => Ok(parameters),
+    };
+    match parameters {
+        Ok(parameters) => outcome(name, parameters, value, span, &evaluator.state),
+        Err(because) => Outcome::Refused(because),
+    }
+}
+
+fn outcome(name: &str, parameters: Vec<String>, value: Evaluated, span: &Range<usize>, state: &State) -> Outcome {
     let value = match value {
         Ok(value) | Err(Stop::Return(value)) => value,
         Err(Stop::Refused(because)) => return Outcome::Refused(because),
@@ -158,6 +170,10 @@ fn formula(
     computing(name, value)?;
     let mut conditions = Vec::new();
     let value = without_condition(value, &mut conditions);
+    if is_truth(&value) {
+        let what = format!("`{name}` is true or false, and kernels compute numbers");
+        return Err(Refusal::new(what, "write the numbers that are meant: if .. then 1 else 0", span));
+    }
     let value = own_names(name, &value, &parameters, span)?;
     let conditions: Vec<Expr> =
         conditions.iter().map(|condition| own_names(name, condition, &parameters, span)).collect::<Result<_, _>>()?;
@@ -185,6 +201,17 @@ fn formula(
     })
 }
 
+/// Whether a value, or a side of it, is a condition or one of the words for one. Equations have sides that are numbers.
+fn is_truth(value: &Expr) -> bool {
+    match &value.kind {
+        ExprKind::If { branches, otherwise } => {
+            branches.iter().map(|branch| &branch.value).chain(otherwise.as_deref()).any(is_truth)
+        }
+        ExprKind::Binary { operator: BinaryOperator::Compare(Relation::Equal), .. } => false,
+        _ => statements::is_truth(value),
+    }
+}
+
 /// Whether a name stands for a number that must be given.
 fn is_input(name: &str) -> bool {
     !is_known_constant(name) && !is_constant(name) && remedy_of_constant(name).is_none() && !name.starts_with(ROOT)
@@ -205,26 +232,48 @@ fn computing(name: &str, value: &Expr) -> Result<(), Refusal> {
     found.map_or(Ok(()), Err)
 }
 
-pub(super) fn find(expression: &Expr, told: &mut dyn FnMut(&Expr)) {
-    told(expression);
-    super::tree::parts(expression).into_iter().for_each(|part| find(part, told));
+/// An `if` without the sides that give no number: the conditions under which none of them is taken are told. What stands in
+/// arithmetic or a call is needed for the whole, what stands on a side of another `if` is not.
+fn without_condition(value: &Expr, conditions: &mut Vec<Expr>) -> Expr {
+    let ExprKind::If { branches, otherwise } = &value.kind else {
+        let Ok(inside) =
+            super::tree::map::<std::convert::Infallible>(value, &mut |part| Ok(without_condition(part, conditions)));
+        return inside;
+    };
+    let nothing = symbol("false", &value.span);
+    let otherwise = otherwise.as_deref().unwrap_or(&nothing);
+    let (mut before, mut kept): (Vec<Expr>, Vec<Branch>) = (Vec::new(), Vec::new());
+    for Branch { condition, value } in branches {
+        let condition = comparable(condition);
+        if gives_nothing(value) {
+            conditions.push(any_of(&before, negated(&condition)));
+        } else {
+            kept.push(Branch { condition: condition.clone(), value: value.clone() });
+        }
+        before.push(condition);
+    }
+    if gives_nothing(otherwise)
+        && let Some(last) = before.pop()
+    {
+        conditions.push(any_of(&before, last));
+    }
+    let real = kept.len() + usize::from(!gives_nothing(otherwise));
+    let last = if gives_nothing(otherwise) { kept.pop().map(|branch| branch.value) } else { Some(otherwise.clone()) };
+    match (real, last) {
+        (1, Some(side)) => without_condition(&side, conditions),
+        (2.., Some(side)) if real <= branches.len() => {
+            Expr::new(ExprKind::If { branches: kept, otherwise: Some(Box::new(side)) }, value.span.clone())
+        }
+        _ => value.clone(),
+    }
 }
 
-/// Of an `if` of which all sides but one give no number, that side; its condition is told.
-fn without_condition(value: &Expr, conditions: &mut Vec<Expr>) -> Expr {
-    let ExprKind::If { branches, otherwise } = &value.kind else { return value.clone() };
-    let nothing = symbol("false", &value.span);
-    let sides = branches.iter().map(|branch| &branch.value).chain([otherwise.as_deref().unwrap_or(&nothing)]);
-    let sides: Vec<&Expr> = sides.collect();
-    let real: Vec<usize> = (0..sides.len()).filter(|at| !gives_nothing(sides[*at])).collect();
-    let [side] = real.as_slice() else { return value.clone() };
-    for Branch { condition, .. } in &branches[..*side] {
-        conditions.push(negated(condition));
-    }
-    if let Some(branch) = branches.get(*side) {
-        conditions.push(comparable(&branch.condition));
-    }
-    without_condition(sides[*side], conditions)
+/// That one of these conditions holds, or the last one.
+fn any_of(before: &[Expr], last: Expr) -> Expr {
+    let span = last.span.clone();
+    let all = before.iter().cloned().chain([last]);
+    let joined = all.reduce(|one, other| super::tree::binary(BinaryOperator::Or, one, other, &span));
+    joined.unwrap_or_else(|| symbol("true", &span))
 }
 
 /// In a condition of an `if`, `=` compares numbers.

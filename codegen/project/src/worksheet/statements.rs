@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, parse_what_can_be, print};
+use closedform_maxima::{BinaryOperator, Expr, ExprKind, Relation, UnaryOperator, parse_what_can_be, print};
 
 use super::evaluate::Evaluator;
 use super::state::{Evaluated, Refusal};
@@ -184,8 +184,18 @@ pub(super) fn comparison(fact: &Expr) -> Expr {
     match fact.as_call() {
         Some(("equal", [left, right])) => turned(Relation::Equal, left, right),
         Some(("notequal", [left, right])) => turned(Relation::NotEqual, left, right),
-        Some(("is", [inner])) => comparison(inner),
+        Some(("is" | "maybe", [inner])) => comparison(inner),
         _ => match &fact.kind {
+            ExprKind::Binary { operator: BinaryOperator::Compare(relation), left, right }
+                if is_truth(left)
+                    && let Some(wanted) = told(*relation, right) =>
+            {
+                if wanted {
+                    comparison(left)
+                } else {
+                    negated(comparison(left), &fact.span)
+                }
+            }
             ExprKind::Unary { .. } | ExprKind::Binary { operator: BinaryOperator::And | BinaryOperator::Or, .. } => {
                 let Ok(mapped) = super::tree::map::<std::convert::Infallible>(fact, &mut |part| Ok(comparison(part)));
                 mapped
@@ -193,6 +203,36 @@ pub(super) fn comparison(fact: &Expr) -> Expr {
             _ => fact.clone(),
         },
     }
+}
+
+/// Whether something is true or false, and no number.
+pub(super) fn is_truth(value: &Expr) -> bool {
+    match &value.kind {
+        ExprKind::Binary { operator, .. } => {
+            operator.is_comparison() || matches!(operator, BinaryOperator::And | BinaryOperator::Or)
+        }
+        ExprKind::Unary { operator, .. } => *operator == UnaryOperator::Not,
+        ExprKind::Symbol(word) => ["true", "false"].contains(&word.as_str()),
+        _ => matches!(value.as_call(), Some(("is" | "maybe" | "equal" | "notequal", _))),
+    }
+}
+
+/// What must be so for `= true`, `= false` or `#` of one of them to hold.
+fn told(relation: Relation, word: &Expr) -> Option<bool> {
+    let word = match word.as_symbol()? {
+        "true" => true,
+        "false" => false,
+        _ => return None,
+    };
+    match relation {
+        Relation::Equal => Some(word),
+        Relation::NotEqual => Some(!word),
+        _ => None,
+    }
+}
+
+fn negated(condition: Expr, span: &Range<usize>) -> Expr {
+    Expr::new(ExprKind::Unary { operator: UnaryOperator::Not, operand: Box::new(condition) }, span.clone())
 }
 
 /// A fact as people read it.

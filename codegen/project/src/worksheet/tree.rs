@@ -99,6 +99,12 @@ pub(crate) fn any(expression: &Expr, is: &dyn Fn(&Expr) -> bool) -> bool {
     is(expression) || parts(expression).into_iter().any(|part| any(part, is))
 }
 
+/// Tells the expression and everything inside, from the outside in.
+pub(super) fn find(expression: &Expr, told: &mut dyn FnMut(&Expr)) {
+    told(expression);
+    parts(expression).into_iter().for_each(|part| find(part, told));
+}
+
 /// Every name that is no constant of Maxima and is not called, in the order of the text.
 pub(crate) fn names(expression: &Expr) -> Vec<String> {
     let (mut found, mut seen) = (Vec::new(), BTreeSet::new());
@@ -152,6 +158,12 @@ pub(super) fn number(value: i64, span: &Range<usize>) -> Expr {
         0.. => magnitude,
         _ => crate::construct::negative(magnitude),
     }
+}
+
+/// `(1+sqrt(5))/2`, which Maxima calls `%phi`.
+pub(super) fn golden_ratio(span: &Range<usize>) -> Expr {
+    let sum = binary(BinaryOperator::Add, number(1, span), call("sqrt", vec![number(5, span)], span), span);
+    binary(BinaryOperator::Divide, sum, number(2, span), span)
 }
 
 /// The value of a small integer.

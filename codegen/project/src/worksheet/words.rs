@@ -1,5 +1,7 @@
 //! What Maxima's own functions and packages do to a worksheet, by name.
 
+use closedform_maxima::Expr;
+
 /// What to do where Maxima must compute.
 pub(crate) const COMPUTE: &str = "a worksheet that computes needs Maxima: `closedform derive FILE` runs it and writes what it leaves; \
                                   then run this command again";
@@ -212,7 +214,31 @@ const RATIONAL: [&str; 12] = [
 ];
 
 /// Flags of `ev` that give another form of the same value, besides the functions that do.
-const FLAGS: [&str; 8] = ["simp", "numer", "float", "expand", "factor", "logexpand", "ratprint", "keepfloat"];
+const FLAGS: [&str; 20] = [
+    "%emode",
+    "%enumer",
+    "algebraic",
+    "demoivre",
+    "expand",
+    "exponentialize",
+    "factor",
+    "factorflag",
+    "float",
+    "halfangles",
+    "keepfloat",
+    "logexpand",
+    "numer",
+    "ratalgdenom",
+    "ratfac",
+    "ratprint",
+    "ratsimpexpons",
+    "simp",
+    "simpsum",
+    "sumexpand",
+];
+
+/// Words by which `ev` evaluates otherwise.
+const EVALUATIONS: [&str; 7] = ["derivlist", "eval", "infeval", "noeval", "nouns", "pred", "rescan"];
 
 /// Functions that change what their arguments stand for, or lists that they are given.
 const CHANGING: [&str; 12] = [
@@ -252,6 +278,11 @@ const LOADING: [&str; 5] = ["batch", "batchload", "load", "loadfile", "setup_aut
 const SETTINGS: [(&str, &str); 4] =
     [("simp", "false"), ("listarith", "false"), ("radexpand", "all"), ("doallmxops", "false")];
 
+/// Whether a statement ends Maxima.
+pub(crate) fn ends_maxima(statement: &Expr) -> bool {
+    matches!(statement.as_call(), Some(("quit", _)))
+}
+
 pub(crate) fn is_package(name: &str) -> bool {
     let name = name.strip_suffix(".mac").or_else(|| name.strip_suffix(".lisp")).unwrap_or(name);
     PACKAGES.contains(&name)
@@ -274,6 +305,10 @@ pub(super) fn is_flag(name: &str) -> bool {
     FLAGS.contains(&name) || is_form(name)
 }
 
+pub(super) fn is_evaluation(name: &str) -> bool {
+    EVALUATIONS.contains(&name)
+}
+
 pub(super) fn is_changing(name: &str) -> bool {
     CHANGING.contains(&name)
 }
@@ -292,7 +327,19 @@ pub(super) fn changes_arithmetic(setting: &str, value: &str) -> bool {
 
 /// Functions that are obeyed without a word.
 pub(super) fn is_obeyed(name: &str) -> bool {
-    ["assume", "forget", "kill", "remvalue", "remfunction", "local", "reset", "matchdeclare", "defrule", "depends"]
-        .contains(&name)
+    [
+        "assume",
+        "describe",
+        "forget",
+        "kill",
+        "remvalue",
+        "remfunction",
+        "local",
+        "reset",
+        "matchdeclare",
+        "defrule",
+        "depends",
+    ]
+    .contains(&name)
         || closedform_maxima::declares_operator(name)
 }
