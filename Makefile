@@ -8,7 +8,7 @@ SEED ?= 1
 # how long each fuzz target runs
 SECONDS_EACH ?= 900
 
-.PHONY: run test test-all lowest-rust minimal-versions packages fuzz tools
+.PHONY: run test test-all bench lowest-rust minimal-versions packages fuzz tools
 
 run: tools
 	@echo "building the generator; the first time that takes some minutes, most of them for Symbolica and GMP"
@@ -22,6 +22,11 @@ test: tools
 # Ten to twenty times as many points as `make test`, and every package by itself.
 test-all: test packages
 	CLOSEDFORM_BUDGET=full PROPTEST_RNG_SEED=$(SEED) $(CARGO) test --no-fail-fast --package closedform-tests
+
+# What calls cost beside the formulas as they are written: for any processor, then for this one.
+bench: tools
+	$(CARGO) bench --package closedform-tests --bench ratios
+	RUSTFLAGS="-C target-cpu=native" $(CARGO) bench --target-dir target/native --package closedform-tests --bench ratios
 
 # The lowest Rust version that Cargo.toml claims builds everything.
 lowest-rust: tools

@@ -64,6 +64,7 @@ macro_rules! formulas {
     };
 }
 
+#[allow(unused_parens, clippy::all, reason = "printed, so that operations are taken in the order of the text")]
 mod as_written;
 
 /// Points of each kernel: whole blocks.
