@@ -117,3 +117,17 @@ fn a_batch_has_the_bits_of_single_calls_in_every_block() {
     let alone = (0..rows.len()).map(|row| naive(a[row], t[row], d[row]).to_bits());
     assert!(results.iter().zip(alone).all(|(batch, alone)| batch.to_bits() == alone || batch.is_nan()));
 }
+
+#[test]
+fn batches_of_every_length_fill_their_results_and_nothing_else() {
+    for length in 0..100 {
+        // outside of the domain, in doubt, and ordinary
+        let numbers: Vec<f64> = (0..length).map(|row| [2.0, -1.0, 1e-30, 0.1][row % 4] + row as f64).collect();
+        let mut results = vec![f64::INFINITY; length + 1];
+        naive::batch(&numbers, &numbers, &numbers, &mut results[..length]).expect("slices of one length");
+        let alone = |number: &f64| naive(*number, *number, *number).to_bits();
+        let of_batch = results[..length].iter().map(|result| result.to_bits());
+        assert!(of_batch.eq(numbers.iter().map(alone)), "{length}");
+        assert_eq!(results[length], f64::INFINITY);
+    }
+}
