@@ -1,9 +1,5 @@
 //! Expressions to doubles: the plain evaluation of a formula as it is written, and what that costs.
 
-mod rust;
-
-pub use rust::double_rust;
-
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
@@ -44,7 +40,7 @@ pub fn double_operations(formula: &Expr) -> Option<DoubleOperations> {
 }
 
 /// What a formula is folded into.
-trait Arithmetic {
+pub(crate) trait Arithmetic {
     type Value: Clone;
 
     fn number(&self, value: f64) -> Self::Value;
@@ -61,7 +57,7 @@ trait Arithmetic {
     fn power(&self, a: Self::Value, count: u32) -> Self::Value;
 }
 
-fn fold<A: Arithmetic>(formula: &Expr, arithmetic: &A) -> Option<A::Value> {
+pub(crate) fn fold<A: Arithmetic>(formula: &Expr, arithmetic: &A) -> Option<A::Value> {
     let part = |part: &Expr| fold(part, arithmetic);
     Some(match &formula.kind {
         ExprKind::Integer(_) | ExprKind::Float(_) | ExprKind::BigFloat(_) => {

@@ -13,6 +13,7 @@
 pub mod ast;
 mod definition;
 mod double;
+mod double_rust;
 mod error;
 #[cfg(feature = "mpfr")]
 pub mod evaluate;
@@ -29,7 +30,8 @@ mod token;
 pub use ast::{BinaryOperator, Expr, ExprKind, Statement, Terminator, UnaryOperator};
 pub use closedform_arith::Relation;
 pub use definition::{Definition, Worksheet, defined_twice, definition, definitions, readable_worksheet, worksheet};
-pub use double::{DoubleOperations, double_operations, double_rust, evaluate_double};
+pub use double::{DoubleOperations, double_operations, evaluate_double};
+pub use double_rust::double_rust;
 pub use error::{DIGIT_LIMIT, Error, Errors};
 #[cfg(feature = "mpfr")]
 pub use evaluate::{EvalError, evaluate, evaluate_stable};

@@ -72,7 +72,7 @@ struct Run {
 impl Run {
     fn new(text: &str, files: BTreeMap<String, String>) -> Self {
         let (statements, errors) = parse_what_can_be(text);
-        let taken = names_in(text, &statements);
+        let taken = arrays::names_in(text, &statements);
         let evaluator = Evaluator::new(State::default(), files, arrays::Names::beside(taken));
         let reading = Reading { errors, ..Reading::default() };
         Self { statements, evaluator, defined: Vec::new(), made: BTreeSet::new(), reading }
@@ -164,13 +164,6 @@ impl Run {
             }
         }
     }
-}
-
-/// Every name of a worksheet.
-fn names_in(text: &str, statements: &[Statement]) -> BTreeSet<String> {
-    let mut names: BTreeSet<String> = mentions(text).into_iter().map(|mention| mention.name).collect();
-    names.extend(statements.iter().flat_map(|statement| tree::names(&statement.expression)));
-    names
 }
 
 /// The names that lose what they stand for in a statement, whose formulas must be made before; an empty list for all.

@@ -4,11 +4,18 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::rc::Rc;
 
-use closedform_maxima::{BinaryOperator, Expr, ExprKind, print};
+use closedform_maxima::{BinaryOperator, Expr, ExprKind, Statement, mentions, print};
 
 use super::evaluate::{Evaluator, PARAMETER, because_of, elsewhere, key};
 use super::state::{Binding, Evaluated, Refusal};
 use super::tree::{self, binary, call, list, rows, small, symbol};
+
+/// Every name of a worksheet.
+pub(super) fn names_in(text: &str, statements: &[Statement]) -> BTreeSet<String> {
+    let mut names: BTreeSet<String> = mentions(text).into_iter().map(|mention| mention.name).collect();
+    names.extend(statements.iter().flat_map(|statement| tree::names(&statement.expression)));
+    names
+}
 
 /// What elements with subscripts are called where they are inputs.
 #[derive(Debug, Clone, Default)]

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use closedform_maxima::ast::Quoting;
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, parse_what_can_be};
 
-use super::arrays::Names;
+use super::arrays::{Names, names_in};
 use super::evaluate::Evaluator;
 use super::formula::{Outcome, marked_in, outcome_with_items as outcome};
 use super::reading::Reading;
@@ -17,7 +17,7 @@ use super::words;
 pub(crate) fn closed(text: &str) -> Reading {
     let (statements, errors) = parse_what_can_be(text);
     let mut reading = Reading { errors, ..Reading::default() };
-    let names = Names::beside(super::names_in(text, &statements));
+    let names = Names::beside(names_in(text, &statements));
     let mut evaluator = Evaluator::new(State::default(), BTreeMap::new(), names);
     for statement in &statements {
         if let Some(("assume", facts)) = statement.expression.as_call() {

@@ -1,10 +1,10 @@
 //! The formula as written, as an expression of Rust.
 
-use super::{Arithmetic, fold};
 use crate::ast::Expr;
+use crate::double::{Arithmetic, fold};
 
 /// The formula as a person would type it into Rust, in the order of the text; `names` become `identifiers`. `None` where
-/// [`evaluate_double`](super::evaluate_double) has no value.
+/// [`evaluate_double`](crate::evaluate_double) has no value.
 #[must_use]
 pub fn double_rust(formula: &Expr, names: &[impl AsRef<str>], identifiers: &[impl AsRef<str>]) -> Option<String> {
     let name = |name: &str| {
