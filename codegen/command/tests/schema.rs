@@ -229,9 +229,9 @@ fn the_schema_of_mutants_says_what_is_written() {
 #[test]
 fn the_schema_of_plans_says_what_is_written() {
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("part.nc"), "T1 M6\nG1 X10 F600\nY5\nM30\n").unwrap();
+    fs::write(folder.path().join("part.nc"), "T1 M6\nG1 X10 F600\nT2 M6\nY5\nM30\n").unwrap();
     let step = ["plan", "step", "--travel", "1e-3", "--v-max", "0.1", "--a-max", "2", "--json", "--table", "table.csv"];
-    let milling = ["plan", "milling", "part.nc", "--json"];
+    let milling = ["plan", "milling", "--gcode", "part.nc", "--json"];
     describes("plan", &[output(folder.path(), &step), output(folder.path(), &milling)]);
 }
 
