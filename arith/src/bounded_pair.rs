@@ -1,8 +1,9 @@
 //! `BoundedPair`: pair arithmetic that knows how large its terms are, hence when it cannot tell its own digits.
 //!
-//! A pair is the unevaluated sum of two `f64`, as a number in double-double is; but nothing makes the second one small beside the first
-//! after each operation, which takes half of the time of double-double and more. What its error is: M. Lange, S. M. Rump,
-//! "Faithfully rounded floating-point computations", ACM TOMS 46(3), 2020, and [here](crate::error_model::compensated).
+//! A pair is the unevaluated sum of two `f64`, as a number in double-double is; but nothing makes the second one small beside
+//! the first after each operation, which takes half of the time of double-double and more. What its error is: M. Lange,
+//! S. M. Rump, "Faithfully rounded floating-point computations", ACM TOMS 46(3), 2020, and
+//! [here](crate::error_model::compensated).
 
 use core::ops::{Add, Mul, Neg};
 
@@ -15,9 +16,9 @@ use crate::range;
 /// Not `WATCHED`, it is for operands of ordinary magnitudes: products of them are error-free.
 ///
 /// With an n that the operations make ([`Part`](crate::error_model::compensated::Part)), |value - exact| is at most
-/// n u^2 size, where products that are watched add 2^[`UNDERFLOW`](range::UNDERFLOW) to the size: that much of it,
-/// times u^2, is more than a product loses when parts of it underflow. Overflow, and operands too large to split, end in a size that is infinite or a value that is
-/// NaN: both [fail the rounding test](Self::passes).
+/// n u^2 size, where products that are watched add 2^[`UNDERFLOW`](range::UNDERFLOW) to the size: that much of it, times u^2,
+/// is more than a product loses when parts of it underflow. Overflow, and operands too large to split, end in a size that is
+/// infinite or a value that is NaN: both [fail the rounding test](Self::passes).
 #[derive(Clone, Copy, Debug)]
 pub struct BoundedPair<const WATCHED: bool> {
     /// What `f64` makes of the expression.
@@ -80,8 +81,8 @@ impl<const WATCHED: bool> BoundedPair<WATCHED> {
         self.round().abs() > threshold * self.size
     }
 
-    /// The size of a product with these high parts: infinite, and so below the rounding test in all that it becomes part of, where the
-    /// product of them may not be error-free, on some targets or on all.
+    /// The size of a product with these high parts: infinite, and so below the rounding test in all that it becomes part of,
+    /// where the product of them may not be error-free, on some targets or on all.
     #[inline(always)]
     fn size_of_product(size: f64, a: f64, b: f64) -> f64 {
         if !WATCHED || product_is_error_free(a, b) { size + underflow(WATCHED) } else { f64::INFINITY }

@@ -11,10 +11,16 @@ pub struct EscalatingPair<'a, const WATCHED: bool> {
     pub(crate) escalate: &'a Cell<bool>,
 }
 
-impl<const WATCHED: bool> EscalatingPair<'_, WATCHED> {
+impl<'a, const WATCHED: bool> EscalatingPair<'a, WATCHED> {
+    /// A pair, and the flag that it raises.
+    #[inline(always)]
+    pub(crate) fn new(pair: BoundedPair<WATCHED>, escalate: &'a Cell<bool>) -> Self {
+        EscalatingPair { pair, escalate }
+    }
+
     /// Another pair with the same flag.
     #[inline(always)]
     pub(crate) fn with(&self, pair: BoundedPair<WATCHED>) -> Self {
-        EscalatingPair { pair, escalate: self.escalate }
+        EscalatingPair::new(pair, self.escalate)
     }
 }

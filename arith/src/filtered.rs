@@ -53,12 +53,6 @@ impl<'a, const WATCHED: bool> Filtered<'a, WATCHED> {
         self.if_fine(value, !WATCHED | fine)
     }
 
-    /// A compensated expression with the same flag.
-    #[inline(always)]
-    fn paired(&self, pair: BoundedPair<WATCHED>) -> EscalatingPair<'a, WATCHED> {
-        EscalatingPair { pair, escalate: self.escalate }
-    }
-
     /// A compensated expression rounded.
     #[inline(always)]
     fn rounded(extended: &EscalatingPair<'a, WATCHED>) -> Self {
@@ -175,12 +169,12 @@ impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
 
     #[inline(always)]
     fn two_sum(&self, other: &Self) -> EscalatingPair<'a, WATCHED> {
-        self.paired(BoundedPair::two_sum(self.value, other.value))
+        EscalatingPair::new(BoundedPair::two_sum(self.value, other.value), self.escalate)
     }
 
     #[inline(always)]
     fn two_product(&self, other: &Self) -> EscalatingPair<'a, WATCHED> {
-        self.paired(BoundedPair::two_product(self.value, other.value))
+        EscalatingPair::new(BoundedPair::two_product(self.value, other.value), self.escalate)
     }
 
     #[inline(always)]
@@ -216,7 +210,7 @@ impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
 
     #[inline(always)]
     fn scaled(&self, power: &Self) -> EscalatingPair<'a, WATCHED> {
-        self.paired(BoundedPair::scaled(self.value, power.value))
+        EscalatingPair::new(BoundedPair::scaled(self.value, power.value), self.escalate)
     }
 
     #[inline(always)]

@@ -63,12 +63,6 @@ impl<'a, const WATCHED: bool> FilteredDoubleDouble<'a, WATCHED> {
         self
     }
 
-    /// A compensated expression with the same flag.
-    #[inline(always)]
-    fn paired(&self, pair: BoundedPair<WATCHED>) -> EscalatingPair<'a, WATCHED> {
-        EscalatingPair { pair, escalate: self.escalate }
-    }
-
     /// What a compensated expression evaluates to.
     #[inline(always)]
     fn of_pair(extended: &EscalatingPair<'a, WATCHED>) -> Self {
@@ -167,12 +161,12 @@ impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
 
     #[inline(always)]
     fn two_sum(&self, other: &Self) -> EscalatingPair<'a, WATCHED> {
-        self.paired(BoundedPair::two_sum(self.value.round(), other.value.round()))
+        EscalatingPair::new(BoundedPair::two_sum(self.value.round(), other.value.round()), self.escalate)
     }
 
     #[inline(always)]
     fn two_product(&self, other: &Self) -> EscalatingPair<'a, WATCHED> {
-        self.paired(BoundedPair::two_product(self.value.round(), other.value.round()))
+        EscalatingPair::new(BoundedPair::two_product(self.value.round(), other.value.round()), self.escalate)
     }
 
     #[inline(always)]
@@ -208,7 +202,7 @@ impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
 
     #[inline(always)]
     fn scaled(&self, power: &Self) -> EscalatingPair<'a, WATCHED> {
-        self.paired(BoundedPair::scaled(self.value.round(), power.value.round()))
+        EscalatingPair::new(BoundedPair::scaled(self.value.round(), power.value.round()), self.escalate)
     }
 
     #[inline(always)]

@@ -5,36 +5,27 @@
 
 #![cfg(feature = "mpfr")]
 
+#[path = "common/random.rs"]
+mod random;
+
 use std::cell::Cell;
 
 use closedform_arith::error_model::UNIT;
 use closedform_arith::{Bounded, Function, Real, Signs};
+use random::Random;
 use rug::Float;
 use rug::ops::Pow;
 
 /// More than the exponents of any two numbers of `f64`, and of their products, are apart.
 const BITS: u32 = 4400;
 
-struct Random(u64);
-
 impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
-    }
-
-    fn below(&mut self, n: u64) -> u64 {
-        (self.next() >> 11) % n
-    }
-
     fn exponent(&mut self, most: u64) -> f64 {
         f64::powi(2.0, self.below(2 * most + 1) as i32 - most as i32)
     }
 
     fn number(&mut self) -> f64 {
-        let significand = 1.0 + (self.next() >> 12) as f64 * f64::EPSILON;
+        let significand = 1.0 + (self.bits() >> 12) as f64 * f64::EPSILON;
         let size = match self.below(8) {
             0..=3 => significand * self.exponent(10),
             4 => self.exponent(10),
@@ -98,7 +89,7 @@ fn judge<const WATCHED: bool>(
     operation: impl for<'a> Fn(&Bounded<'a, WATCHED>, &Bounded<'a, WATCHED>) -> Bounded<'a, WATCHED>,
     exactly: impl Fn(&Float, &Float) -> Float,
 ) -> (f64, u32) {
-    let (mut random, escalate) = (Random(88_172_645_463_325_252), Cell::new(false));
+    let (mut random, escalate) = (Random::new(88_172_645_463_325_252), Cell::new(false));
     let (mut largest, mut judged) = (0.0_f64, 0);
     for _ in 0..60_000 {
         let (first, second) = (random.number(), random.number());
@@ -142,7 +133,7 @@ fn operations_keep_their_bounds_at_ordinary_magnitudes() {
 #[test]
 fn elementary_functions_keep_their_bounds() {
     for function in Function::ALL.into_iter().filter(|function| !function.is_power() && !function.has_steps()) {
-        let (mut random, escalate) = (Random(88_172_645_463_325_252), Cell::new(false));
+        let (mut random, escalate) = (Random::new(88_172_645_463_325_252), Cell::new(false));
         let (mut largest, mut judged) = (0.0_f64, 0);
         for at in 0..4_000 {
             let size = f64::powi(2.0, at % 24 - 18) * (1.0 + random.below(1 << 20) as f64 / f64::from(1 << 20));
@@ -164,7 +155,7 @@ fn elementary_functions_keep_their_bounds() {
 #[test]
 fn integers_are_right_or_escalate() {
     for function in Function::ALL.into_iter().filter(|function| function.has_steps()) {
-        let (mut random, escalate) = (Random(88_172_645_463_325_252), Cell::new(false));
+        let (mut random, escalate) = (Random::new(88_172_645_463_325_252), Cell::new(false));
         let (mut judged, mut left) = (0, 0);
         for _ in 0..20_000 {
             // near multiples of 1/2, and anywhere
@@ -188,7 +179,7 @@ fn integers_are_right_or_escalate() {
 
 #[test]
 fn comparisons_are_right_or_escalate() {
-    let (mut random, escalate) = (Random(2_463_534_242), Cell::new(false));
+    let (mut random, escalate) = (Random::new(2_463_534_242), Cell::new(false));
     let mut decided = 0;
     for _ in 0..100_000 {
         let first = random.number();
@@ -205,7 +196,7 @@ fn comparisons_are_right_or_escalate() {
 
 #[test]
 fn expressions_keep_their_bounds() {
-    let (mut random, escalate) = (Random(362_436_069), Cell::new(false));
+    let (mut random, escalate) = (Random::new(362_436_069), Cell::new(false));
     let (mut judged, mut largest) = (0, 0.0_f64);
     for _ in 0..10_000 {
         let mut numbers: Vec<_> = (0..3)
@@ -233,7 +224,7 @@ fn expressions_keep_their_bounds() {
 
 #[test]
 fn roots_of_polynomials_are_enclosed() {
-    let (mut random, escalate) = (Random(521_288_629), Cell::new(false));
+    let (mut random, escalate) = (Random::new(521_288_629), Cell::new(false));
     let mut judged = 0;
     for _ in 0..3_000 {
         let degree = 1 + random.below(6) as usize;
@@ -278,7 +269,7 @@ fn what_has_no_value_escalates() {
 
 #[test]
 fn promises_that_are_kept_are_not_needlessly_large() {
-    let (mut random, escalate) = (Random(1_597_334_677), Cell::new(false));
+    let (mut random, escalate) = (Random::new(1_597_334_677), Cell::new(false));
     let (mut largest, mut kept) = (0.0_f64, 0);
     for _ in 0..40_000 {
         let value = 1.0 + random.below(1 << 20) as f64 * UNIT;

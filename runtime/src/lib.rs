@@ -41,7 +41,8 @@
 //!
 //! Stack: kernels never allocate and never recurse. Most calls need a kilobyte or two; one that ends in the arithmetic of
 //! last resort, and sums a compensated expression exactly there, some 14 kB (the largest frames of a release build for
-//! x86-64: 6.8 kB and 4.7 kB), as any call of any kernel may.
+//! x86-64: 6.8 kB and 4.7 kB), as any call of any kernel may. A batch of less than 32 rows copies them into columns of 256
+//! bytes, one an input and one a result.
 //!
 //! Features: `std` (default) takes `sqrt` from the standard library instead of `libm`; `large-balls` (default) lets
 //! [`settle`] take more than 256 bits; `serde` serialises and deserialises every [`Record`]; `mpfr` adds `Mpfr`, the

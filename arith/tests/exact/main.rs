@@ -2,4 +2,6 @@
 
 mod double_double;
 mod numbers;
+#[path = "../common/random.rs"]
+mod random;
 mod root;

@@ -2,6 +2,8 @@
 
 use rug::Float;
 
+pub use crate::random::Random;
+
 /// Enough bits for sums and products of everything tried here to be exact.
 pub const EXACT: u32 = 4300;
 
@@ -10,27 +12,7 @@ pub fn exact(value: f64) -> Float {
     Float::with_val(EXACT, value)
 }
 
-/// A reproducible stream of random bits (xorshift64*).
-pub struct Random(u64);
-
 impl Random {
-    /// The stream of a seed other than zero.
-    pub fn new(seed: u64) -> Self {
-        Random(seed)
-    }
-
-    fn bits(&mut self) -> u64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
-    }
-
-    /// Below `limit`.
-    pub fn below(&mut self, limit: u64) -> u64 {
-        self.bits() % limit
-    }
-
     /// Of either sign, its magnitude from 2^-`spread` to 2^`spread`, with many trailing zeros or ones at times.
     pub fn number(&mut self, spread: u64) -> f64 {
         let low_ones = (1 << self.below(52)) - 1;

@@ -4,27 +4,18 @@ use std::collections::BTreeSet;
 
 use closedform_project::contract::{Contract, free_module_name, is_device, rust_name};
 use closedform_project::family::Family;
+use closedform_project::sample::Random;
 
 /// What names are made of: cases, words of Rust and of Maxima, escapes, letters of the world.
 const PARTS: &str = "a|A|aB|ab|a_b|a__b|_a|a_|B1|b_1|b1_|x|X|x2|x_2|xValue|x_value|fn|self|Self|crate|super|r|f64|R|PI|pi|\
     main|lib|batch|sqrt|max|%a|%x_2|\\1a|a\\-b|a\\ b|a\\+b|\\[1\\]|\u{3b1}|\u{391}|\u{dc}n\u{ef}|\
     \u{65e5}\u{672c}|a\u{301}|\\\u{b2}|gen|closedform";
 
-/// A source of numbers that is the same at every run.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as usize % bound
-    }
-
-    /// A name of one part, or of several.
-    fn name(&mut self) -> String {
-        let parts: Vec<&str> = PARTS.split('|').collect();
-        let many = [1, 1, 1, 2, 3][self.below(5)];
-        (0..many).map(|_| parts[self.below(parts.len())]).collect()
-    }
+/// A name of one part, or of several.
+fn name(random: &mut Random) -> String {
+    let parts: Vec<&str> = PARTS.split('|').collect();
+    let many = *random.pick(&[1, 1, 1, 2, 3]);
+    (0..many).map(|_| *random.pick(&parts)).collect()
 }
 
 /// The contract that a worksheet of this text and name comes to.
@@ -66,8 +57,8 @@ fn judge(contract: &Contract, text: &str) {
 
 #[test]
 fn every_name_is_one_of_kernels_inputs_and_fields() {
-    let mut random = Random(1);
-    let drawn: Vec<String> = (0..300).map(|_| random.name()).collect();
+    let mut random = Random::new(1);
+    let drawn: Vec<String> = (0..300).map(|_| name(&mut random)).collect();
     for name in PARTS.split('|').map(str::to_owned).chain(drawn) {
         for text in [
             format!("{name}(other_input) := other_input^2+1$"),
@@ -86,10 +77,11 @@ fn every_name_is_one_of_kernels_inputs_and_fields() {
 #[test]
 fn names_that_become_the_same_are_told_apart() {
     for seed in 0..400 {
-        let mut random = Random(seed);
+        let mut random = Random::new(seed);
         let mut text = String::new();
         for _ in 0..6 {
-            let (kernel, one, other, free) = (random.name(), random.name(), random.name(), random.name());
+            let (kernel, one, other, free) =
+                (name(&mut random), name(&mut random), name(&mut random), name(&mut random));
             text += &match random.below(4) {
                 0 => format!("{kernel}: {one}+2*{other}^2-{free}$ "),
                 1 => format!("{kernel}: [{one}+1, 3*{other}]$ "),
@@ -108,10 +100,10 @@ fn names_that_become_the_same_are_told_apart() {
 
 #[test]
 fn every_file_name_gives_a_module() {
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     for _ in 0..2000 {
         let stem: String = (0..1 + random.below(4))
-            .map(|_| format!("{}{}", random.name(), [" ", "-", ".", ""][random.below(4)]))
+            .map(|_| format!("{}{}", name(&mut random), random.pick(&[" ", "-", ".", ""])))
             .collect();
         let module = free_module_name(&stem);
         assert_eq!(rust_name(&module), Ok(()), "{stem}");

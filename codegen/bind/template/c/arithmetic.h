@@ -39,7 +39,8 @@ typedef struct cf_dd {
     double low;
 } cf_dd;
 
-/* A compensated expression: two numbers that add up to it, the second one of any size, and the sum of the magnitudes of its terms. */
+/* A compensated expression: two numbers that add up to it, the second one of any size, and the sum of the magnitudes of its
+   terms. */
 typedef struct cf_sum {
     cf_dd pair;
     double size;
