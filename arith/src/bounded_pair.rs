@@ -63,22 +63,24 @@ impl<const WATCHED: bool> BoundedPair<WATCHED> {
         BoundedPair { high: self.high * power, low: self.low * power, size }
     }
 
-    /// The same value in double-double, exactly.
+    /// The same value in double-double, exactly; zero is positive.
     #[inline(always)]
     pub(crate) fn value(self) -> DoubleDouble {
-        DoubleDouble::two_sum(self.high, self.low)
+        DoubleDouble::two_sum(self.high + 0.0, self.low)
     }
 
-    /// The value rounded.
+    /// The value rounded; zero is positive, as exact sums make it.
     #[inline(always)]
     pub(crate) fn round(self) -> f64 {
-        self.high + self.low
+        self.high + self.low + 0.0
     }
 
-    /// Whether the value is larger than `threshold` times its size; never of NaN.
+    /// Whether the value is at least `threshold` times its size: then it is right to its digits, and exact where it is zero, since all
+    /// terms are, or no operation rounds. (Where the product underflows, only numbers are added that are too small to be rounded.)
+    /// Never of NaN.
     #[inline(always)]
     pub(crate) fn passes(self, threshold: f64) -> bool {
-        self.round().abs() > threshold * self.size
+        self.round().abs() >= threshold * self.size
     }
 
     /// The size of a product with these high parts: infinite, and so below the rounding test in all that it becomes part of,

@@ -113,7 +113,7 @@ impl Real for f64 {
 
     #[inline(always)]
     fn compensated(extended: &BoundedPair<true>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
-        if extended.passes(threshold) {
+        if extended.passes(threshold) && extended.whole() {
             extended.round()
         } else {
             polynomial(operands, |operand| Operand::of(*operand), terms).map_or(f64::NAN, SoftFloat::to_f64)

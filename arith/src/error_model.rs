@@ -193,6 +193,13 @@ pub mod compensated {
             Part { low: low + 1.0, error: errors + UNDERFLOW }
         }
 
+        /// The product of a part and a power of two, which rounds nothing, but may underflow where it is less than one.
+        #[must_use]
+        pub fn scaled(self, power: f64) -> Self {
+            let underflow = if power.abs() < 1.0 { UNDERFLOW } else { 0.0 };
+            Part { error: self.error + underflow, ..self }
+        }
+
         /// The n of: its error is at most n u^2 times the sum of the magnitudes of its terms.
         #[must_use]
         pub const fn error(self) -> f64 {
@@ -213,10 +220,10 @@ pub mod compensated {
     const MARGIN: f64 = 1010.0;
 
     /// How much larger than this times the sum of the magnitudes of its terms a compensated expression has to be, whose
-    /// error is `units`: then it passes the rounding test, that is, it is right to u/1000.
+    /// error is `units`: then it passes the rounding test, that is, it is right to u/1000. What is exact passes whatever it is.
     #[must_use]
     pub const fn threshold(units: f64) -> f64 {
-        (if units > 1.0 { units } else { 1.0 }) * MARGIN * UNIT
+        if units == 0.0 { -1.0 } else { units * MARGIN * UNIT }
     }
 }
 

@@ -225,7 +225,8 @@ impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
             return rounded.if_fine(rounded.value, passes);
         }
         if passes {
-            return rounded.if_fine(rounded.value, rounded.value.is_normal());
+            // a zero is exact
+            return rounded.if_fine(rounded.value, rounded.value.is_normal() | (rounded.value == 0.0));
         }
         let sum = polynomial(operands, |operand| Operand::of(operand.value), terms).unwrap_or(SoftFloat::NAN);
         let value = sum.to_f64();

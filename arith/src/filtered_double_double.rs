@@ -215,7 +215,7 @@ impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
         let passes = extended.pair.passes(threshold);
         if !WATCHED || passes {
             extended.escalate.set(extended.escalate.get() | !passes);
-            return Self::of_pair(extended).in_range(false);
+            return Self::of_pair(extended).in_range(true);
         }
         let read = |operand: &Self| Operand::of(operand.value.round());
         let sum = polynomial(operands, read, terms).unwrap_or(SoftFloat::NAN);

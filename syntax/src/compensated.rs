@@ -82,9 +82,17 @@ impl<'e> Part<'e> {
 }
 
 impl Operand<'_> {
-    /// Whether it is a power of two in the text of the program.
+    /// The power of two that it is in the text of the program, if any, but for its sign.
+    fn power_of_two(self) -> Option<f64> {
+        match self.leaf {
+            Expr::Literal { value, .. } if is_power_of_two(*value) => Some(*value),
+            _ => None,
+        }
+    }
+
+    /// Whether a product with it only scales.
     fn is_power_of_two(self) -> bool {
-        matches!(self.leaf, Expr::Literal { value, .. } if is_power_of_two(*value))
+        self.power_of_two().is_some()
     }
 }
 
@@ -265,12 +273,12 @@ fn count(expr: &Expr) -> compensated::Part {
     match expr {
         Expr::Neg(inner) => count(inner),
         Expr::Binary { op, left, right } => {
-            let [(left, scales), (right, scaled)] = [left, right].map(|side| (count(side), is_scale(side)));
-            match op {
-                BinaryOp::Mul if scaled => left,
-                BinaryOp::Mul if scales => right,
-                BinaryOp::Mul => left.product(right),
-                BinaryOp::Add | BinaryOp::Sub | BinaryOp::Div => left.sum(right),
+            let (first, second) = (count(left), count(right));
+            match (op, scale(left), scale(right)) {
+                (BinaryOp::Mul, _, Some(power)) => first.scaled(power),
+                (BinaryOp::Mul, Some(power), None) => second.scaled(power),
+                (BinaryOp::Mul, None, None) => first.product(second),
+                (BinaryOp::Add | BinaryOp::Sub | BinaryOp::Div, _, _) => first.sum(second),
             }
         }
         Expr::Literal { .. } | Expr::Name(_) => compensated::Part::OPERAND,
@@ -279,7 +287,10 @@ fn count(expr: &Expr) -> compensated::Part {
     }
 }
 
-/// Whether a factor only scales.
-fn is_scale(expr: &Expr) -> bool {
-    matches!(Part::of(expr), Part::Operand(operand) if operand.is_power_of_two())
+/// The power of two by which a factor only scales.
+fn scale(expr: &Expr) -> Option<f64> {
+    match Part::of(expr) {
+        Part::Operand(operand) => operand.power_of_two(),
+        Part::Extended(_) => None,
+    }
 }

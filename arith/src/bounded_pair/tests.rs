@@ -156,8 +156,28 @@ fn expressions_that_pass_their_rounding_test_are_right_to_a_thousandth_of_a_unit
             continue;
         }
         passed += 1;
-        let off = ((result.value() - &result.exact) / &result.exact).to_f64().abs();
-        assert!(off <= UNIT / 1000.0, "{off:e} of {operands:?}");
+        let off = (result.value() - &result.exact).abs();
+        let allowed = Float::with_val(BITS, result.exact.abs_ref()) * (UNIT / 1000.0);
+        assert!(off <= allowed, "{off:e} of {operands:?}");
     }
     assert!(passed > 10_000 && cancelled > 100, "{passed} {cancelled}");
+}
+
+#[test]
+fn zeros_pass_where_they_are_exact_and_are_positive() {
+    let product = Part::OPERAND.product(Part::OPERAND);
+    let sum_of_products = threshold(product.sum(product).error());
+    let of_zeros = BoundedPair::<false>::two_product(0.0, -3.0) + BoundedPair::two_product(-0.0, 5.0);
+    assert!(of_zeros.passes(sum_of_products) && of_zeros.round().to_bits() == 0);
+    assert!((-of_zeros).value().round().to_bits() == 0);
+    let cancelled = BoundedPair::<false>::two_product(3.0, 5.0) + BoundedPair::two_product(-3.0, 5.0);
+    assert!(!cancelled.passes(sum_of_products));
+    // an error that underflows is an error
+    assert!(!BoundedPair::<true>::two_product(1e-200, 1e-200).passes(threshold(product.error())));
+
+    let difference = Part::OPERAND.sum(Part::OPERAND);
+    assert!(BoundedPair::<false>::two_sum(2.0, -2.0).passes(threshold(difference.error())));
+    assert!(!BoundedPair::<true>::two_sum(f64::INFINITY, -f64::INFINITY).passes(threshold(difference.error())));
+    assert_eq!(threshold(difference.scaled(4.0).error()), threshold(0.0));
+    assert!(threshold(difference.scaled(0.5).error()) > 0.0);
 }

@@ -24,7 +24,7 @@ struct Part {
     extended: bool,
 }
 
-/// The value of a compensated expression that is larger than its threshold.
+/// The value of a compensated expression that passes its rounding test.
 pub(super) fn compensated(
     expression: &CompensatedExpr,
     signs: &Signs,
@@ -34,9 +34,12 @@ pub(super) fn compensated(
     if !extended {
         return Some(value);
     }
-    // One place less for the roundings of the size.
+    if expression.threshold < 0.0 {
+        return Some(value.rounded());
+    }
+    // One place less for the roundings of the size. Where all terms are zero, so is the value.
     let settled = Bounds::literal(expression.threshold).low + size.low - 1;
-    let value = Bounds { zero: false, low: value.low.max(settled), ..value };
+    let value = Bounds { zero: value.zero && size.zero, low: value.low.max(settled), ..value };
     Some(value.rounded())
 }
 

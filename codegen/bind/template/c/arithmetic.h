@@ -30,8 +30,6 @@
 #define CF_MOST 0x1p+450
 /* The largest factor that can be split. */
 #define CF_LARGEST_FACTOR 0x1p+996
-/* What a product adds to the size of a compensated expression. */
-#define CF_UNDERFLOW 0x1p-960
 
 /* A number of about 106 bits: the sum of both. */
 typedef struct cf_dd {
@@ -234,7 +232,7 @@ static inline cf_sum cf_sum_of(double a, double b) {
 
 static inline cf_sum cf_product_of(double a, double b) {
     cf_dd product = cf_two_product(a, b);
-    cf_sum sum = {product, fabs(product.high) + CF_UNDERFLOW};
+    cf_sum sum = {product, fabs(product.high)};
     return sum;
 }
 
@@ -256,14 +254,14 @@ static inline cf_sum cf_sum_plus(cf_sum x, cf_sum y) {
 }
 
 static inline cf_sum cf_sum_times_exact(cf_sum x, double y) {
-    cf_sum product = {cf_two_product(x.pair.high, y), x.size * fabs(y) + CF_UNDERFLOW};
+    cf_sum product = {cf_two_product(x.pair.high, y), x.size * fabs(y)};
     double low = x.pair.low * y;
     product.pair.low = low + product.pair.low;
     return product;
 }
 
 static inline cf_sum cf_sum_times(cf_sum x, cf_sum y) {
-    cf_sum product = {cf_two_product(x.pair.high, y.pair.high), x.size * y.size + CF_UNDERFLOW};
+    cf_sum product = {cf_two_product(x.pair.high, y.pair.high), x.size * y.size};
     double left = x.pair.high * y.pair.low;
     double right = x.pair.low * y.pair.high;
     product.pair.low = (left + right) + product.pair.low;
@@ -273,23 +271,30 @@ static inline cf_sum cf_sum_times(cf_sum x, cf_sum y) {
 /* A product with a power of two, which rounds nothing. */
 static inline cf_sum cf_scaled(double a, double power) {
     double product = a * power;
-    cf_sum sum = {{product, -0.0}, fabs(product) + CF_UNDERFLOW};
+    cf_sum sum = {{product, -0.0}, fabs(product)};
     return sum;
 }
 
 static inline cf_sum cf_sum_scaled(cf_sum x, double power) {
-    cf_sum product = {{x.pair.high * power, x.pair.low * power}, x.size * fabs(power) + CF_UNDERFLOW};
+    cf_sum product = {{x.pair.high * power, x.pair.low * power}, x.size * fabs(power)};
     return product;
 }
 
-/* The value rounded. */
+/* The value rounded; zero is positive. */
 static inline double cf_sum_round(cf_sum x) {
-    return x.pair.high + x.pair.low;
+    double value = x.pair.high + x.pair.low;
+    return value + 0.0;
+}
+
+/* The same as a number of about 106 bits. */
+static inline cf_dd cf_sum_dd(cf_sum x) {
+    double high = x.pair.high + 0.0;
+    return cf_two_sum(high, x.pair.low);
 }
 
 /* Whether its digits are right; where they are not, finer tiers sum exactly. */
 static inline int cf_is_settled(cf_sum x, double threshold) {
-    return fabs(cf_sum_round(x)) > threshold * x.size;
+    return fabs(cf_sum_round(x)) >= threshold * x.size;
 }
 
 static inline double cf_compensated(cf_sum x, double threshold, unsigned *escalate) {
@@ -299,7 +304,7 @@ static inline double cf_compensated(cf_sum x, double threshold, unsigned *escala
 
 static inline cf_dd cf_dd_compensated(cf_sum x, double threshold, unsigned *escalate) {
     *escalate |= (unsigned)!cf_is_settled(x, threshold);
-    return cf_in_range(cf_two_sum(x.pair.high, x.pair.low), 0, escalate);
+    return cf_in_range(cf_sum_dd(x), 1, escalate);
 }
 
 static inline double cf_residual(cf_sum x, unsigned *escalate) {
@@ -309,7 +314,7 @@ static inline double cf_residual(cf_sum x, unsigned *escalate) {
 
 static inline cf_dd cf_dd_residual(cf_sum x, unsigned *escalate) {
     *escalate |= (unsigned)!cf_is_finite(x.size);
-    return cf_in_range(cf_two_sum(x.pair.high, x.pair.low), 1, escalate);
+    return cf_in_range(cf_sum_dd(x), 1, escalate);
 }
 
 #endif
