@@ -7,8 +7,8 @@
 
 use core::ops::{Add, Mul, Neg};
 
-use crate::double_double::DoubleDouble;
-use crate::error_free::{product_is_error_free, two_product, two_sum};
+use crate::double_double::DoubleDoubleWith;
+use crate::error_free::{self, product_is_error_free, two_product, two_sum};
 use crate::range;
 
 /// A part of a compensated expression, and the sum of the magnitudes of its terms.
@@ -20,7 +20,7 @@ use crate::range;
 /// is more than a product loses when parts of it underflow. Overflow, and operands too large to split, end in a size that is
 /// infinite or a value that is NaN: both [fail the rounding test](Self::passes).
 #[derive(Clone, Copy, Debug)]
-pub struct BoundedPair<const WATCHED: bool> {
+pub struct BoundedPair<const WATCHED: bool, const FUSED: bool = { error_free::FUSED }> {
     /// What `f64` makes of the expression.
     high: f64,
     /// What that lost, to the digits of `f64`.
@@ -33,7 +33,7 @@ const fn underflow(watched: bool) -> f64 {
     if watched { range::power_of_two(range::UNDERFLOW) } else { -0.0 }
 }
 
-impl<const WATCHED: bool> BoundedPair<WATCHED> {
+impl<const WATCHED: bool, const FUSED: bool> BoundedPair<WATCHED, FUSED> {
     /// `a + b`, exactly.
     #[inline(always)]
     pub(crate) fn two_sum(a: f64, b: f64) -> Self {
@@ -44,7 +44,7 @@ impl<const WATCHED: bool> BoundedPair<WATCHED> {
     /// `a * b`, exactly.
     #[inline(always)]
     pub(crate) fn two_product(a: f64, b: f64) -> Self {
-        let (high, low) = two_product(a, b);
+        let (high, low) = two_product::<FUSED>(a, b);
         BoundedPair { high, low, size: Self::size_of_product(high.abs(), a, b) }
     }
 
@@ -65,8 +65,8 @@ impl<const WATCHED: bool> BoundedPair<WATCHED> {
 
     /// The same value in double-double, exactly; zero is positive.
     #[inline(always)]
-    pub(crate) fn value(self) -> DoubleDouble {
-        DoubleDouble::two_sum(self.high + 0.0, self.low)
+    pub(crate) fn value(self) -> DoubleDoubleWith<FUSED> {
+        DoubleDoubleWith::two_sum(self.high + 0.0, self.low)
     }
 
     /// The value rounded; zero is positive, as exact sums make it.
@@ -97,7 +97,7 @@ impl<const WATCHED: bool> BoundedPair<WATCHED> {
     }
 }
 
-impl<const WATCHED: bool> Neg for BoundedPair<WATCHED> {
+impl<const WATCHED: bool, const FUSED: bool> Neg for BoundedPair<WATCHED, FUSED> {
     type Output = Self;
 
     #[inline(always)]
@@ -106,7 +106,7 @@ impl<const WATCHED: bool> Neg for BoundedPair<WATCHED> {
     }
 }
 
-impl<const WATCHED: bool> Add<f64> for BoundedPair<WATCHED> {
+impl<const WATCHED: bool, const FUSED: bool> Add<f64> for BoundedPair<WATCHED, FUSED> {
     type Output = Self;
 
     #[inline(always)]
@@ -116,7 +116,7 @@ impl<const WATCHED: bool> Add<f64> for BoundedPair<WATCHED> {
     }
 }
 
-impl<const WATCHED: bool> Add for BoundedPair<WATCHED> {
+impl<const WATCHED: bool, const FUSED: bool> Add for BoundedPair<WATCHED, FUSED> {
     type Output = Self;
 
     #[inline(always)]
@@ -126,23 +126,23 @@ impl<const WATCHED: bool> Add for BoundedPair<WATCHED> {
     }
 }
 
-impl<const WATCHED: bool> Mul<f64> for BoundedPair<WATCHED> {
+impl<const WATCHED: bool, const FUSED: bool> Mul<f64> for BoundedPair<WATCHED, FUSED> {
     type Output = Self;
 
     #[inline(always)]
     fn mul(self, other: f64) -> Self {
-        let (high, error) = two_product(self.high, other);
+        let (high, error) = two_product::<FUSED>(self.high, other);
         let size = Self::size_of_product(self.size * other.abs(), self.high, other);
         BoundedPair { high, low: self.low * other + error, size }
     }
 }
 
-impl<const WATCHED: bool> Mul for BoundedPair<WATCHED> {
+impl<const WATCHED: bool, const FUSED: bool> Mul for BoundedPair<WATCHED, FUSED> {
     type Output = Self;
 
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        let (high, error) = two_product(self.high, other.high);
+        let (high, error) = two_product::<FUSED>(self.high, other.high);
         let cross = self.high * other.low + self.low * other.high;
         let size = Self::size_of_product(self.size * other.size, self.high, other.high);
         BoundedPair { high, low: cross + error, size }

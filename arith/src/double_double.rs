@@ -13,14 +13,18 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use crate::error_free;
 use crate::float::sqrt;
 
-/// A number of about 106 bits: `high + low`, where `high` is that sum rounded to `f64`.
+/// A number of about 106 bits, with the products that are the fastest on every processor of the target.
+pub type DoubleDouble = DoubleDoubleWith<{ error_free::FUSED }>;
+
+/// A number of about 106 bits: `high + low`, where `high` is that sum rounded to `f64`. Products take a fused multiply-add where they
+/// are `FUSED`, else they split their factors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DoubleDouble {
+pub struct DoubleDoubleWith<const FUSED: bool> {
     high: f64,
     low: f64,
 }
 
-impl DoubleDouble {
+impl<const FUSED: bool> DoubleDoubleWith<FUSED> {
     /// `a + b`, exactly.
     #[inline(always)]
     pub fn two_sum(a: f64, b: f64) -> Self {
@@ -30,7 +34,7 @@ impl DoubleDouble {
     /// `a * b`, exactly.
     #[inline(always)]
     pub fn two_product(a: f64, b: f64) -> Self {
-        Self::of(error_free::two_product(a, b))
+        Self::of(error_free::two_product::<FUSED>(a, b))
     }
 
     /// `a + b`, exactly, where `a` is zero or its exponent is not below that of `b`.
@@ -41,7 +45,7 @@ impl DoubleDouble {
 
     #[inline(always)]
     fn of((high, low): (f64, f64)) -> Self {
-        DoubleDouble { high, low }
+        Self { high, low }
     }
 
     /// The leading part: this number rounded to the nearest `f64`.
@@ -54,11 +58,11 @@ impl DoubleDouble {
     #[inline(always)]
     pub fn sqrt(self) -> Self {
         let root = sqrt(self.high);
-        let square = DoubleDouble::two_product(root, root);
+        let square = Self::two_product(root, root);
         // exact: the remainder of a square root is a number of its precision
         let remainder = (self.high - square.high) - square.low;
         let correction = (self.low + remainder) / (2.0 * root);
-        if root == 0.0 { self } else { DoubleDouble::fast_two_sum(root, correction) }
+        if root == 0.0 { self } else { Self::fast_two_sum(root, correction) }
     }
 
     /// What [`round`](Self::round) leaves off.
@@ -68,102 +72,102 @@ impl DoubleDouble {
     }
 }
 
-impl From<f64> for DoubleDouble {
+impl<const FUSED: bool> From<f64> for DoubleDoubleWith<FUSED> {
     /// Exact.
     #[inline(always)]
     fn from(value: f64) -> Self {
-        DoubleDouble { high: value, low: 0.0 }
+        Self { high: value, low: 0.0 }
     }
 }
 
-impl Neg for DoubleDouble {
-    type Output = DoubleDouble;
+impl<const FUSED: bool> Neg for DoubleDoubleWith<FUSED> {
+    type Output = Self;
 
     /// Exact.
     #[inline(always)]
-    fn neg(self) -> DoubleDouble {
-        DoubleDouble { high: -self.high, low: -self.low }
+    fn neg(self) -> Self {
+        Self { high: -self.high, low: -self.low }
     }
 }
 
-impl Add<f64> for DoubleDouble {
-    type Output = DoubleDouble;
+impl<const FUSED: bool> Add<f64> for DoubleDoubleWith<FUSED> {
+    type Output = Self;
 
     /// Off by [`SUM_WITH_F64`](crate::error_model::double_double::SUM_WITH_F64) at most.
     #[inline(always)]
-    fn add(self, other: f64) -> DoubleDouble {
-        let sum = DoubleDouble::two_sum(self.high, other);
-        DoubleDouble::fast_two_sum(sum.high, self.low + sum.low)
+    fn add(self, other: f64) -> Self {
+        let sum = Self::two_sum(self.high, other);
+        Self::fast_two_sum(sum.high, self.low + sum.low)
     }
 }
 
-impl Add for DoubleDouble {
-    type Output = DoubleDouble;
+impl<const FUSED: bool> Add for DoubleDoubleWith<FUSED> {
+    type Output = Self;
 
     /// Off by [`SUM`](crate::error_model::double_double::SUM) at most, cancellation or not.
     #[inline(always)]
-    fn add(self, other: DoubleDouble) -> DoubleDouble {
-        let high = DoubleDouble::two_sum(self.high, other.high);
-        let low = DoubleDouble::two_sum(self.low, other.low);
-        let sum = DoubleDouble::fast_two_sum(high.high, high.low + low.high);
-        DoubleDouble::fast_two_sum(sum.high, low.low + sum.low)
+    fn add(self, other: Self) -> Self {
+        let high = Self::two_sum(self.high, other.high);
+        let low = Self::two_sum(self.low, other.low);
+        let sum = Self::fast_two_sum(high.high, high.low + low.high);
+        Self::fast_two_sum(sum.high, low.low + sum.low)
     }
 }
 
-impl Sub<f64> for DoubleDouble {
-    type Output = DoubleDouble;
+impl<const FUSED: bool> Sub<f64> for DoubleDoubleWith<FUSED> {
+    type Output = Self;
 
     /// Off by [`SUM_WITH_F64`](crate::error_model::double_double::SUM_WITH_F64) at most: the sum with the negated operand.
     #[inline(always)]
-    fn sub(self, other: f64) -> DoubleDouble {
+    fn sub(self, other: f64) -> Self {
         self + -other
     }
 }
 
-impl Sub for DoubleDouble {
-    type Output = DoubleDouble;
+impl<const FUSED: bool> Sub for DoubleDoubleWith<FUSED> {
+    type Output = Self;
 
     /// Off by [`SUM`](crate::error_model::double_double::SUM) at most: the sum with the negated operand.
     #[inline(always)]
-    fn sub(self, other: DoubleDouble) -> DoubleDouble {
+    fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl Mul<f64> for DoubleDouble {
-    type Output = DoubleDouble;
+impl<const FUSED: bool> Mul<f64> for DoubleDoubleWith<FUSED> {
+    type Output = Self;
 
     /// Off by [`PRODUCT_WITH_F64`](crate::error_model::double_double::PRODUCT_WITH_F64) at most.
     #[inline(always)]
-    fn mul(self, other: f64) -> DoubleDouble {
-        let product = DoubleDouble::two_product(self.high, other);
-        let sum = DoubleDouble::fast_two_sum(product.high, self.low * other);
-        DoubleDouble::fast_two_sum(sum.high, sum.low + product.low)
+    fn mul(self, other: f64) -> Self {
+        let product = Self::two_product(self.high, other);
+        let sum = Self::fast_two_sum(product.high, self.low * other);
+        Self::fast_two_sum(sum.high, sum.low + product.low)
     }
 }
 
-impl Mul for DoubleDouble {
-    type Output = DoubleDouble;
+impl<const FUSED: bool> Mul for DoubleDoubleWith<FUSED> {
+    type Output = Self;
 
     /// Off by [`PRODUCT`](crate::error_model::double_double::PRODUCT) at most, and with the same bits on every target where 2Prod is
     /// error-free: nothing else in it could be fused.
     #[inline(always)]
-    fn mul(self, other: DoubleDouble) -> DoubleDouble {
-        let product = DoubleDouble::two_product(self.high, other.high);
+    fn mul(self, other: Self) -> Self {
+        let product = Self::two_product(self.high, other.high);
         let cross = self.high * other.low + self.low * other.high;
-        DoubleDouble::fast_two_sum(product.high, product.low + cross)
+        Self::fast_two_sum(product.high, product.low + cross)
     }
 }
 
-impl Div for DoubleDouble {
-    type Output = DoubleDouble;
+impl<const FUSED: bool> Div for DoubleDoubleWith<FUSED> {
+    type Output = Self;
 
     /// Off by [`QUOTIENT`](crate::error_model::double_double::QUOTIENT) at most.
     #[inline(always)]
-    fn div(self, other: DoubleDouble) -> DoubleDouble {
+    fn div(self, other: Self) -> Self {
         let quotient = self.high / other.high;
         let product = other * quotient;
         let rest = (self.high - product.high) + (self.low - product.low);
-        DoubleDouble::fast_two_sum(quotient, rest / other.high)
+        Self::fast_two_sum(quotient, rest / other.high)
     }
 }

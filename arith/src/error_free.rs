@@ -2,6 +2,10 @@
 
 use crate::range;
 
+/// Whether all processors of the target have a fused multiply-add, so that products take it. Elsewhere it is a slow function call that
+/// no loop vectorises: there they split, except where a caller has seen that the processor has it.
+pub const FUSED: bool = cfg!(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")));
+
 /// The largest factor that can be split.
 pub(crate) const LARGEST_FACTOR: f64 = range::power_of_two(range::FACTOR);
 
@@ -24,12 +28,12 @@ pub(crate) fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     (high, b - (high - a))
 }
 
-/// `a * b` and what rounding it lost (2Prod: fused multiply-add, else Dekker's product; the same bits where it
-/// [is error-free](product_is_error_free)).
+/// `a * b` and what rounding it lost (2Prod): with a fused multiply-add, or Dekker's product; the same bits where it
+/// [is error-free](product_is_error_free).
 #[inline(always)]
-pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn two_product<const FUSED: bool>(a: f64, b: f64) -> (f64, f64) {
     let high = a * b;
-    (high, product_error(a, b, high))
+    (high, product_error::<FUSED>(a, b, high))
 }
 
 /// Whether the product of `a` and `b` is error-free however it is computed: operands can be split, no product of
@@ -46,19 +50,15 @@ pub(crate) fn product_is_error_free(a: f64, b: f64) -> bool {
 /// The two ways return the same bits unless the split overflows (an operand beyond 2^996) or the error underflows (a
 /// product below 2^-969): [`product_is_error_free`] tells.
 #[inline(always)]
-fn product_error(a: f64, b: f64, product: f64) -> f64 {
-    #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
-    return a.mul_add(b, -product);
-    // Without the instruction a fused multiply-add is a slow function call that no loop vectorises: split instead.
-    #[cfg(not(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64"))))]
-    return dekker_error(a, b, product);
+fn product_error<const FUSED: bool>(a: f64, b: f64, product: f64) -> f64 {
+    #[cfg(feature = "std")]
+    if FUSED {
+        return a.mul_add(b, -product);
+    }
+    dekker_error(a, b, product)
 }
 
 /// Dekker's product error, from operands split so that every partial product is exact.
-#[cfg_attr(
-    all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")),
-    allow(dead_code, reason = "the fused instruction replaces it; tests compare both")
-)]
 #[inline(always)]
 fn dekker_error(a: f64, b: f64, product: f64) -> f64 {
     let (ah, al) = split(a);

@@ -4,6 +4,7 @@ use core::cell::Cell;
 use core::cmp::Ordering;
 
 use crate::bounded_pair::BoundedPair;
+use crate::error_free;
 use crate::escalating_pair::EscalatingPair;
 use crate::function::Function;
 use crate::operand::Operand;
@@ -22,12 +23,12 @@ use crate::terms::Terms;
 /// `WATCHED`, it is for all finite inputs: a step that over- or underflows escalates, and compensated expressions are summed exactly
 /// where double-double cannot tell their digits.
 #[derive(Clone, Copy)]
-pub struct Filtered<'a, const WATCHED: bool> {
+pub struct Filtered<'a, const WATCHED: bool, const FUSED: bool = { error_free::FUSED }> {
     value: f64,
     escalate: &'a Cell<bool>,
 }
 
-impl<'a, const WATCHED: bool> Filtered<'a, WATCHED> {
+impl<'a, const WATCHED: bool, const FUSED: bool> Filtered<'a, WATCHED, FUSED> {
     /// A number, and the flag that it raises to escalate.
     #[inline(always)]
     pub fn new(value: f64, escalate: &'a Cell<bool>) -> Self {
@@ -55,7 +56,7 @@ impl<'a, const WATCHED: bool> Filtered<'a, WATCHED> {
 
     /// A compensated expression rounded.
     #[inline(always)]
-    fn rounded(extended: &EscalatingPair<'a, WATCHED>) -> Self {
+    fn rounded(extended: &EscalatingPair<'a, WATCHED, FUSED>) -> Self {
         Filtered { value: extended.pair.round(), escalate: extended.escalate }
     }
 
@@ -66,14 +67,14 @@ impl<'a, const WATCHED: bool> Filtered<'a, WATCHED> {
     }
 }
 
-impl<const WATCHED: bool> PartialEq for Filtered<'_, WATCHED> {
+impl<const WATCHED: bool, const FUSED: bool> PartialEq for Filtered<'_, WATCHED, FUSED> {
     #[inline(always)]
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }
 }
 
-impl<const WATCHED: bool> PartialOrd for Filtered<'_, WATCHED> {
+impl<const WATCHED: bool, const FUSED: bool> PartialOrd for Filtered<'_, WATCHED, FUSED> {
     #[inline(always)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         self.value.partial_cmp(&other.value)
@@ -100,8 +101,8 @@ impl<const WATCHED: bool> PartialOrd for Filtered<'_, WATCHED> {
     }
 }
 
-impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
-    type Extended = EscalatingPair<'a, WATCHED>;
+impl<'a, const WATCHED: bool, const FUSED: bool> Real for Filtered<'a, WATCHED, FUSED> {
+    type Extended = EscalatingPair<'a, WATCHED, FUSED>;
 
     #[inline(always)]
     fn literal(&self, value: f64) -> Self {
@@ -168,58 +169,72 @@ impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn two_sum(&self, other: &Self) -> EscalatingPair<'a, WATCHED> {
+    fn two_sum(&self, other: &Self) -> EscalatingPair<'a, WATCHED, FUSED> {
         EscalatingPair::new(BoundedPair::two_sum(self.value, other.value), self.escalate)
     }
 
     #[inline(always)]
-    fn two_product(&self, other: &Self) -> EscalatingPair<'a, WATCHED> {
+    fn two_product(&self, other: &Self) -> EscalatingPair<'a, WATCHED, FUSED> {
         EscalatingPair::new(BoundedPair::two_product(self.value, other.value), self.escalate)
     }
 
     #[inline(always)]
-    fn extended_neg(extended: &EscalatingPair<'a, WATCHED>) -> EscalatingPair<'a, WATCHED> {
+    fn extended_neg(extended: &EscalatingPair<'a, WATCHED, FUSED>) -> EscalatingPair<'a, WATCHED, FUSED> {
         extended.with(-extended.pair)
     }
 
     #[inline(always)]
-    fn extended_add_exact(extended: &EscalatingPair<'a, WATCHED>, exact: &Self) -> EscalatingPair<'a, WATCHED> {
+    fn extended_add_exact(
+        extended: &EscalatingPair<'a, WATCHED, FUSED>,
+        exact: &Self,
+    ) -> EscalatingPair<'a, WATCHED, FUSED> {
         extended.with(extended.pair + exact.value)
     }
 
     #[inline(always)]
     fn extended_add(
-        left: &EscalatingPair<'a, WATCHED>,
-        right: &EscalatingPair<'a, WATCHED>,
-    ) -> EscalatingPair<'a, WATCHED> {
+        left: &EscalatingPair<'a, WATCHED, FUSED>,
+        right: &EscalatingPair<'a, WATCHED, FUSED>,
+    ) -> EscalatingPair<'a, WATCHED, FUSED> {
         left.with(left.pair + right.pair)
     }
 
     #[inline(always)]
-    fn extended_mul_exact(extended: &EscalatingPair<'a, WATCHED>, exact: &Self) -> EscalatingPair<'a, WATCHED> {
+    fn extended_mul_exact(
+        extended: &EscalatingPair<'a, WATCHED, FUSED>,
+        exact: &Self,
+    ) -> EscalatingPair<'a, WATCHED, FUSED> {
         extended.with(extended.pair * exact.value)
     }
 
     #[inline(always)]
     fn extended_mul(
-        left: &EscalatingPair<'a, WATCHED>,
-        right: &EscalatingPair<'a, WATCHED>,
-    ) -> EscalatingPair<'a, WATCHED> {
+        left: &EscalatingPair<'a, WATCHED, FUSED>,
+        right: &EscalatingPair<'a, WATCHED, FUSED>,
+    ) -> EscalatingPair<'a, WATCHED, FUSED> {
         left.with(left.pair * right.pair)
     }
 
     #[inline(always)]
-    fn scaled(&self, power: &Self) -> EscalatingPair<'a, WATCHED> {
+    fn scaled(&self, power: &Self) -> EscalatingPair<'a, WATCHED, FUSED> {
         EscalatingPair::new(BoundedPair::scaled(self.value, power.value), self.escalate)
     }
 
     #[inline(always)]
-    fn extended_scaled(extended: &EscalatingPair<'a, WATCHED>, power: &Self) -> EscalatingPair<'a, WATCHED> {
+    fn extended_scaled(
+        extended: &EscalatingPair<'a, WATCHED, FUSED>,
+        power: &Self,
+    ) -> EscalatingPair<'a, WATCHED, FUSED> {
         extended.with(extended.pair.times_power(power.value))
     }
 
     #[inline(always)]
-    fn compensated(extended: &EscalatingPair<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
+    fn compensated(
+        extended: &EscalatingPair<'a, WATCHED, FUSED>,
+        threshold: f64,
+        operands: &[&Self],
+        terms: Terms,
+    ) -> Self {
         let (rounded, passes) = (Filtered::rounded(extended), extended.pair.passes(threshold));
         if !WATCHED {
             return rounded.if_fine(rounded.value, passes);
@@ -234,7 +249,7 @@ impl<'a, const WATCHED: bool> Real for Filtered<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn residual(extended: &EscalatingPair<'a, WATCHED>) -> Self {
+    fn residual(extended: &EscalatingPair<'a, WATCHED, FUSED>) -> Self {
         let rounded = Filtered::rounded(extended);
         rounded.watched(rounded.value, extended.pair.whole())
     }

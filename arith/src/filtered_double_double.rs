@@ -8,8 +8,8 @@ use core::cell::Cell;
 use core::cmp::Ordering;
 
 use crate::bounded_pair::BoundedPair;
-use crate::double_double::DoubleDouble;
-use crate::error_free::LARGEST_FACTOR;
+use crate::double_double::DoubleDoubleWith;
+use crate::error_free::{self, LARGEST_FACTOR};
 use crate::escalating_pair::EscalatingPair;
 use crate::function::Function;
 use crate::operand::Operand;
@@ -27,15 +27,15 @@ use crate::terms::Terms;
 /// all finite inputs: a compensated expression in which a product may not be error-free is summed exactly, and so is one of which
 /// a pair cannot tell the digits.
 #[derive(Clone, Copy)]
-pub struct FilteredDoubleDouble<'a, const WATCHED: bool> {
-    value: DoubleDouble,
+pub struct FilteredDoubleDouble<'a, const WATCHED: bool, const FUSED: bool = { error_free::FUSED }> {
+    value: DoubleDoubleWith<FUSED>,
     escalate: &'a Cell<bool>,
 }
 
 /// Between these magnitudes a step of numbers in range loses no digits.
 const RANGE: (f64, f64) = (range::power_of_two(range::STEP.0), range::power_of_two(range::STEP.1));
 
-impl<'a, const WATCHED: bool> FilteredDoubleDouble<'a, WATCHED> {
+impl<'a, const WATCHED: bool, const FUSED: bool> FilteredDoubleDouble<'a, WATCHED, FUSED> {
     /// Exact.
     #[inline(always)]
     pub fn new(value: f64, escalate: &'a Cell<bool>) -> Self {
@@ -44,7 +44,7 @@ impl<'a, const WATCHED: bool> FilteredDoubleDouble<'a, WATCHED> {
 
     /// The number.
     #[inline(always)]
-    pub fn value(self) -> DoubleDouble {
+    pub fn value(self) -> DoubleDoubleWith<FUSED> {
         self.value
     }
 
@@ -65,12 +65,12 @@ impl<'a, const WATCHED: bool> FilteredDoubleDouble<'a, WATCHED> {
 
     /// What a compensated expression evaluates to.
     #[inline(always)]
-    fn of_pair(extended: &EscalatingPair<'a, WATCHED>) -> Self {
+    fn of_pair(extended: &EscalatingPair<'a, WATCHED, FUSED>) -> Self {
         FilteredDoubleDouble { value: extended.pair.value(), escalate: extended.escalate }
     }
 
     #[inline(always)]
-    fn with(&self, value: DoubleDouble) -> Self {
+    fn with(&self, value: DoubleDoubleWith<FUSED>) -> Self {
         FilteredDoubleDouble { value, escalate: self.escalate }
     }
 
@@ -80,14 +80,14 @@ impl<'a, const WATCHED: bool> FilteredDoubleDouble<'a, WATCHED> {
     }
 }
 
-impl<const WATCHED: bool> PartialEq for FilteredDoubleDouble<'_, WATCHED> {
+impl<const WATCHED: bool, const FUSED: bool> PartialEq for FilteredDoubleDouble<'_, WATCHED, FUSED> {
     #[inline(always)]
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }
 }
 
-impl<const WATCHED: bool> PartialOrd for FilteredDoubleDouble<'_, WATCHED> {
+impl<const WATCHED: bool, const FUSED: bool> PartialOrd for FilteredDoubleDouble<'_, WATCHED, FUSED> {
     #[inline(always)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         let order = self.value.round().partial_cmp(&other.value.round())?;
@@ -95,8 +95,8 @@ impl<const WATCHED: bool> PartialOrd for FilteredDoubleDouble<'_, WATCHED> {
     }
 }
 
-impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
-    type Extended = EscalatingPair<'a, WATCHED>;
+impl<'a, const WATCHED: bool, const FUSED: bool> Real for FilteredDoubleDouble<'a, WATCHED, FUSED> {
+    type Extended = EscalatingPair<'a, WATCHED, FUSED>;
 
     /// One that cannot be split as a factor leaves the range; a smaller one only makes its product leave it.
     #[inline(always)]
@@ -108,7 +108,7 @@ impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
     #[inline(always)]
     fn pi(&self) -> Self {
         // with what the leading part leaves off
-        self.with(DoubleDouble::two_sum(core::f64::consts::PI, 1.224_646_799_147_353_2e-16))
+        self.with(DoubleDoubleWith::two_sum(core::f64::consts::PI, 1.224_646_799_147_353_2e-16))
     }
 
     #[inline(always)]
@@ -160,58 +160,72 @@ impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
     }
 
     #[inline(always)]
-    fn two_sum(&self, other: &Self) -> EscalatingPair<'a, WATCHED> {
+    fn two_sum(&self, other: &Self) -> EscalatingPair<'a, WATCHED, FUSED> {
         EscalatingPair::new(BoundedPair::two_sum(self.value.round(), other.value.round()), self.escalate)
     }
 
     #[inline(always)]
-    fn two_product(&self, other: &Self) -> EscalatingPair<'a, WATCHED> {
+    fn two_product(&self, other: &Self) -> EscalatingPair<'a, WATCHED, FUSED> {
         EscalatingPair::new(BoundedPair::two_product(self.value.round(), other.value.round()), self.escalate)
     }
 
     #[inline(always)]
-    fn extended_neg(extended: &EscalatingPair<'a, WATCHED>) -> EscalatingPair<'a, WATCHED> {
+    fn extended_neg(extended: &EscalatingPair<'a, WATCHED, FUSED>) -> EscalatingPair<'a, WATCHED, FUSED> {
         extended.with(-extended.pair)
     }
 
     #[inline(always)]
-    fn extended_add_exact(extended: &EscalatingPair<'a, WATCHED>, exact: &Self) -> EscalatingPair<'a, WATCHED> {
+    fn extended_add_exact(
+        extended: &EscalatingPair<'a, WATCHED, FUSED>,
+        exact: &Self,
+    ) -> EscalatingPair<'a, WATCHED, FUSED> {
         extended.with(extended.pair + exact.value.round())
     }
 
     #[inline(always)]
     fn extended_add(
-        left: &EscalatingPair<'a, WATCHED>,
-        right: &EscalatingPair<'a, WATCHED>,
-    ) -> EscalatingPair<'a, WATCHED> {
+        left: &EscalatingPair<'a, WATCHED, FUSED>,
+        right: &EscalatingPair<'a, WATCHED, FUSED>,
+    ) -> EscalatingPair<'a, WATCHED, FUSED> {
         left.with(left.pair + right.pair)
     }
 
     #[inline(always)]
-    fn extended_mul_exact(extended: &EscalatingPair<'a, WATCHED>, exact: &Self) -> EscalatingPair<'a, WATCHED> {
+    fn extended_mul_exact(
+        extended: &EscalatingPair<'a, WATCHED, FUSED>,
+        exact: &Self,
+    ) -> EscalatingPair<'a, WATCHED, FUSED> {
         extended.with(extended.pair * exact.value.round())
     }
 
     #[inline(always)]
     fn extended_mul(
-        left: &EscalatingPair<'a, WATCHED>,
-        right: &EscalatingPair<'a, WATCHED>,
-    ) -> EscalatingPair<'a, WATCHED> {
+        left: &EscalatingPair<'a, WATCHED, FUSED>,
+        right: &EscalatingPair<'a, WATCHED, FUSED>,
+    ) -> EscalatingPair<'a, WATCHED, FUSED> {
         left.with(left.pair * right.pair)
     }
 
     #[inline(always)]
-    fn scaled(&self, power: &Self) -> EscalatingPair<'a, WATCHED> {
+    fn scaled(&self, power: &Self) -> EscalatingPair<'a, WATCHED, FUSED> {
         EscalatingPair::new(BoundedPair::scaled(self.value.round(), power.value.round()), self.escalate)
     }
 
     #[inline(always)]
-    fn extended_scaled(extended: &EscalatingPair<'a, WATCHED>, power: &Self) -> EscalatingPair<'a, WATCHED> {
+    fn extended_scaled(
+        extended: &EscalatingPair<'a, WATCHED, FUSED>,
+        power: &Self,
+    ) -> EscalatingPair<'a, WATCHED, FUSED> {
         extended.with(extended.pair.times_power(power.value.round()))
     }
 
     #[inline(always)]
-    fn compensated(extended: &EscalatingPair<'a, WATCHED>, threshold: f64, operands: &[&Self], terms: Terms) -> Self {
+    fn compensated(
+        extended: &EscalatingPair<'a, WATCHED, FUSED>,
+        threshold: f64,
+        operands: &[&Self],
+        terms: Terms,
+    ) -> Self {
         let passes = extended.pair.passes(threshold);
         if !WATCHED || passes {
             extended.escalate.set(extended.escalate.get() | !passes);
@@ -220,13 +234,13 @@ impl<'a, const WATCHED: bool> Real for FilteredDoubleDouble<'a, WATCHED> {
         let read = |operand: &Self| Operand::of(operand.value.round());
         let sum = polynomial(operands, read, terms).unwrap_or(SoftFloat::NAN);
         let (high, low) = sum.split();
-        let value = FilteredDoubleDouble { value: DoubleDouble::two_sum(high, low), escalate: extended.escalate };
+        let value = FilteredDoubleDouble { value: DoubleDoubleWith::two_sum(high, low), escalate: extended.escalate };
         value.in_range(sum.is_zero())
     }
 
     /// A residual of zero is as good as any below the last digit of the iterate.
     #[inline(always)]
-    fn residual(extended: &EscalatingPair<'a, WATCHED>) -> Self {
+    fn residual(extended: &EscalatingPair<'a, WATCHED, FUSED>) -> Self {
         extended.escalate.set(extended.escalate.get() | !extended.pair.whole());
         Self::of_pair(extended).in_range(true)
     }

@@ -51,7 +51,8 @@ mod terms;
 pub mod tier;
 
 pub use bounded::{Bounded, Signs};
-pub use double_double::DoubleDouble;
+pub use double_double::{DoubleDouble, DoubleDoubleWith};
+pub use error_free::FUSED;
 pub use filtered::Filtered;
 pub use filtered_double_double::FilteredDoubleDouble;
 pub use function::{Function, Operations};

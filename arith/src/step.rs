@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use crate::double_double::DoubleDouble;
+use crate::double_double::DoubleDoubleWith;
 
 /// How a number becomes an integer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,9 +38,12 @@ impl Step {
 ///
 /// No step lies between the sum and its high part, the nearest `f64`: integers, and the middles between them, are numbers of
 /// `f64` where the high part is none.
-pub(crate) fn double_double(x: DoubleDouble, way: fn(f64) -> f64) -> DoubleDouble {
+pub(crate) fn double_double<const FUSED: bool>(
+    x: DoubleDoubleWith<FUSED>,
+    way: fn(f64) -> f64,
+) -> DoubleDoubleWith<FUSED> {
     let high = way(x.round());
-    if high == x.round() { DoubleDouble::two_sum(high, way(x.low())) } else { high.into() }
+    if high == x.round() { DoubleDoubleWith::two_sum(high, way(x.low())) } else { high.into() }
 }
 
 /// What an error makes of the value `y` of a function in `f64` that never decreases: nothing where it has the same value at numbers

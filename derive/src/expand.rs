@@ -89,7 +89,7 @@ impl Parts<'_> {
         let (k, table) = (self.kernel.requires.len(), table::table(self.kernel));
         let all = program::inputs();
         let fast = info::fast(self.kernel);
-        let [slices, of] = ["__slices", "__of"].map(|name| Ident::new(name, Span::mixed_site()));
+        let of = Ident::new("__of", Span::mixed_site());
         quote! {
             pub(super) struct Program;
 
@@ -109,33 +109,15 @@ impl Parts<'_> {
                 }
 
                 #[inline(always)]
-                fn each_input<T, U>(#all: [T; #n], #of: impl ::core::ops::Fn(T) -> U) -> [U; #n] {
+                fn each_input<T, U>(#all: [T; #n], mut #of: impl ::core::ops::FnMut(T) -> U) -> [U; #n] {
                     let [#(#inputs),*] = #all;
                     [#(#of(#inputs)),*]
                 }
 
                 #[inline(always)]
-                fn each_result<T, U>(#all: [T; #m], #of: impl ::core::ops::Fn(T) -> U) -> [U; #m] {
+                fn each_result<T, U>(#all: [T; #m], mut #of: impl ::core::ops::FnMut(T) -> U) -> [U; #m] {
                     let [#(#results),*] = #all;
                     [#(#of(#results)),*]
-                }
-
-                fn batch(
-                    #all: [&[f64]; #n],
-                    #slices: [&mut [f64]; #m],
-                ) -> ::core::result::Result<(), ::closedform::LengthError> {
-                    let [#(#inputs),*] = #all;
-                    let [#(#results),*] = #slices;
-                    self::batch(#(#inputs,)* #(#results),*)
-                }
-
-                fn fast_batch(
-                    #all: [&[f64]; #n],
-                    #slices: [&mut [f64]; #m],
-                ) -> ::core::result::Result<(), ::closedform::LengthError> {
-                    let [#(#inputs),*] = #all;
-                    let [#(#results),*] = #slices;
-                    self::fast_batch(#(#inputs,)* #(#results),*)
                 }
             }
         }

@@ -15,16 +15,11 @@ pub fn starts(rows: usize) -> impl Iterator<Item = usize> {
     whole.chain(last.filter(|last| last % BLOCK != 0))
 }
 
-/// The block that begins at a row.
+/// The block that begins at a row; NaN where none does.
 #[inline]
-pub fn block(rows: &[f64], start: usize) -> Option<&Column> {
-    rows.get(start..)?.first_chunk()
-}
-
-/// The same of results.
-#[inline]
-pub fn block_mut(rows: &mut [f64], start: usize) -> Option<&mut Column> {
-    rows.get_mut(start..)?.first_chunk_mut()
+pub fn block(rows: &[f64], start: usize) -> &Column {
+    const NONE: Column = [f64::NAN; BLOCK];
+    rows.get(start..).and_then(<[f64]>::first_chunk).unwrap_or(&NONE)
 }
 
 /// Fewer rows than a block has, and the first one again behind them.
@@ -33,12 +28,6 @@ pub fn padded(rows: &[f64]) -> Column {
     let mut column = [rows.first().copied().unwrap_or_default(); BLOCK];
     column.iter_mut().zip(rows).for_each(|(to, from)| *to = *from);
     column
-}
-
-/// The first rows of a block.
-#[inline]
-pub fn unpadded(column: &Column, rows: &mut [f64]) {
-    rows.iter_mut().zip(column).for_each(|(to, from)| *to = *from);
 }
 
 /// Where flags are raised.

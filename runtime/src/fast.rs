@@ -10,7 +10,7 @@ use closedform_arith::error_model::{CERTIFIED_ULP, UNIT};
 use closedform_arith::{Bounded, Precision, tier};
 
 use crate::info::{Info, ResultInfo};
-use crate::program::{Fast, Program};
+use crate::program::{Fast, Program, positions};
 use crate::shape::{all, answered, ordinary, value_apart, values};
 
 /// The results with a relative error of at most [`PROMISE`]; NaN outside the domain.
@@ -112,17 +112,6 @@ where
     P: Program<N, K, M>,
 {
     P::each_input(const { positions() }, |input| Bounded::new(inputs[input], P::FAST.signs[input], escalate))
-}
-
-/// The positions of the inputs.
-#[inline(always)]
-const fn positions<const N: usize>() -> [usize; N] {
-    let (mut positions, mut at) = ([0; N], 0);
-    while at < N {
-        positions[at] = at;
-        at += 1;
-    }
-    positions
 }
 
 /// What [`fast`] returns where its first tier escalates.

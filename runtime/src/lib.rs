@@ -57,6 +57,7 @@
 #[cfg(feature = "std")]
 extern crate std;
 
+mod batch;
 mod blocks;
 mod error;
 mod fast;
@@ -86,12 +87,11 @@ pub use record::Record;
 /// What expansions of `#[kernel]` call; not for people.
 #[doc(hidden)]
 pub mod __private {
-    pub use crate::blocks::{BLOCK, Column, block, block_mut, padded, raised, starts, unpadded};
-    pub use crate::fast::{fast, fast_again, fast_first_tier, with_bound};
+    pub use crate::fast::{fast, with_bound};
     pub use crate::rows::rows;
     #[cfg(feature = "serde")]
     pub use crate::serde::{deserialize, serialize};
-    pub use crate::shape::{checked, decided, faithful, first_tier, same_length, single, value};
+    pub use crate::shape::{checked, faithful, single, value};
     pub use closedform_arith::table::{Instruction, Source, Sum, Table};
     pub use closedform_arith::{Function, Relation, Terms};
     #[cfg(feature = "serde")]

@@ -3,6 +3,7 @@
 use closedform_arith::table::Table;
 use closedform_arith::{Real, Signs};
 
+use crate::batch::{batch, fast_batch};
 use crate::error::LengthError;
 use crate::info::Info;
 
@@ -26,21 +27,42 @@ pub trait Program<const N: usize, const K: usize, const M: usize> {
     /// `of` of each input. `#[kernel]` writes all of them out: where compilers made a loop or a call of it, loops over rows would not be
     /// vectorised.
     #[inline(always)]
-    fn each_input<T, U>(inputs: [T; N], of: impl Fn(T) -> U) -> [U; N] {
+    fn each_input<T, U>(inputs: [T; N], of: impl FnMut(T) -> U) -> [U; N] {
         inputs.map(of)
     }
 
     /// `of` of each result, in the same way.
     #[inline(always)]
-    fn each_result<T, U>(results: [T; M], of: impl Fn(T) -> U) -> [U; M] {
+    fn each_result<T, U>(results: [T; M], of: impl FnMut(T) -> U) -> [U; M] {
         results.map(of)
     }
 
     /// The results in `f64` for slices of equal length.
-    fn batch(inputs: [&[f64]; N], results: [&mut [f64]; M]) -> Result<(), LengthError>;
+    fn batch(inputs: [&[f64]; N], results: [&mut [f64]; M]) -> Result<(), LengthError>
+    where
+        Self: Sized,
+    {
+        batch::<Self, N, K, M>(inputs, results)
+    }
 
     /// What [`fast`](crate::Kernel::fast) returns, for slices of equal length.
-    fn fast_batch(inputs: [&[f64]; N], results: [&mut [f64]; M]) -> Result<(), LengthError>;
+    fn fast_batch(inputs: [&[f64]; N], results: [&mut [f64]; M]) -> Result<(), LengthError>
+    where
+        Self: Sized,
+    {
+        fast_batch::<Self, N, K, M>(inputs, results)
+    }
+}
+
+/// The positions of inputs or results.
+#[inline(always)]
+pub(crate) const fn positions<const N: usize>() -> [usize; N] {
+    let (mut positions, mut at) = ([0; N], 0);
+    while at < N {
+        positions[at] = at;
+        at += 1;
+    }
+    positions
 }
 
 /// What is known of the inputs of a program before `fast` looks at them.

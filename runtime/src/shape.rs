@@ -7,7 +7,7 @@ use core::cell::Cell;
 use core::marker::PhantomData;
 
 use closedform_arith::tier::{self, Rounded, Steps};
-use closedform_arith::{Filtered, FilteredDoubleDouble, Precision, Real, Signs};
+use closedform_arith::{FUSED, Filtered, FilteredDoubleDouble, Precision, Real, Signs};
 
 use crate::error::{DomainError, LengthError, RangeError, ValueError};
 use crate::info::{Info, ResultInfo};
@@ -20,7 +20,7 @@ const FINITE: &str = "every input is finite";
 #[inline(always)]
 pub fn value<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(inputs: &[f64; N]) -> [f64; M] {
     let escalate = Cell::new(0);
-    let results = first_tier::<P, N, K, M>(inputs, &escalate);
+    let results = first_tier::<P, N, K, M, FUSED>(inputs, &escalate);
     if escalate.get() != 0 { decided::<P, N, K, M>(inputs) } else { results }
 }
 
@@ -44,7 +44,7 @@ fn first_tier_apart<P: Program<N, K, M>, const N: usize, const K: usize, const M
         return None;
     }
     let escalate = Cell::new(0);
-    let found = in_first_tier::<P, N, K, M>(inputs, &escalate);
+    let found = in_first_tier::<P, N, K, M, FUSED>(inputs, &escalate);
     (escalate.get() == 0).then_some(found)
 }
 
@@ -55,14 +55,14 @@ pub fn decided<P: Program<N, K, M>, const N: usize, const K: usize, const M: usi
 
 /// What [`value`] returns, unless `escalate` is raised.
 #[inline(always)]
-pub fn first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+pub fn first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize, const FUSED: bool>(
     inputs: &[f64; N],
     escalate: &Cell<u64>,
 ) -> [f64; M] {
     if P::INFO.ordinary == 0 {
         return decided::<P, N, K, M>(inputs);
     }
-    let (results, domain) = in_first_tier::<P, N, K, M>(inputs, escalate);
+    let (results, domain) = in_first_tier::<P, N, K, M, FUSED>(inputs, escalate);
     where_inside::<P, N, K, M>(results, domain)
 }
 
@@ -78,27 +78,27 @@ fn where_inside<P: Program<N, K, M>, const N: usize, const K: usize, const M: us
 
 /// Results and domain in the precision of the kernel, unless `escalate` is raised.
 #[inline(always)]
-fn in_first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+fn in_first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize, const FUSED: bool>(
     inputs: &[f64; N],
     escalate: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
     match P::INFO.precision {
-        Precision::Double => in_f64::<P, N, K, M>(inputs, escalate),
+        Precision::Double => in_f64::<P, N, K, M, FUSED>(inputs, escalate),
         // a certified kernel has no first tier
-        Precision::DoubleDouble | Precision::Certified => in_double_double::<P, N, K, M>(inputs, escalate),
+        Precision::DoubleDouble | Precision::Certified => in_double_double::<P, N, K, M, FUSED>(inputs, escalate),
     }
 }
 
 /// Results and domain in `f64`, unless `escalate` is raised. Values are computed in any case: a branch would keep batch loops
 /// from vectorising.
 #[inline(always)]
-fn in_f64<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+fn in_f64<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize, const FUSED: bool>(
     inputs: &[f64; N],
     escalate: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
     let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO.ordinary, [Signs::ANY; N], inputs)), Cell::new(false));
-    let domain = P::domain(&P::each_input(*inputs, |value| Filtered::<false>::new(value, &of_domain)));
-    let results = P::evaluate(&P::each_input(*inputs, |value| Filtered::<false>::new(value, &of_results)));
+    let domain = P::domain(&P::each_input(*inputs, |value| Filtered::<false, FUSED>::new(value, &of_domain)));
+    let results = P::evaluate(&P::each_input(*inputs, |value| Filtered::<false, FUSED>::new(value, &of_results)));
     let results = P::each_result(results, Filtered::value);
     raise(escalate, domain, of_domain.get(), of_results.get());
     (results, domain)
@@ -106,13 +106,15 @@ fn in_f64<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
 
 /// Results and domain in double-double, unless `escalate` is raised.
 #[inline(always)]
-fn in_double_double<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize>(
+fn in_double_double<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize, const FUSED: bool>(
     inputs: &[f64; N],
     escalate: &Cell<u64>,
 ) -> ([f64; M], [bool; K]) {
     let (of_domain, of_results) = (Cell::new(!ordinary(P::INFO.ordinary, [Signs::ANY; N], inputs)), Cell::new(false));
-    let domain = P::domain(&P::each_input(*inputs, |value| FilteredDoubleDouble::<false>::new(value, &of_domain)));
-    let results = P::evaluate(&P::each_input(*inputs, |value| FilteredDoubleDouble::<false>::new(value, &of_results)));
+    let domain =
+        P::domain(&P::each_input(*inputs, |value| FilteredDoubleDouble::<false, FUSED>::new(value, &of_domain)));
+    let results =
+        P::evaluate(&P::each_input(*inputs, |value| FilteredDoubleDouble::<false, FUSED>::new(value, &of_results)));
     let results = P::each_result(results, FilteredDoubleDouble::round);
     raise(escalate, domain, of_domain.get(), of_results.get());
     (results, domain)
@@ -217,7 +219,7 @@ fn faithful_first_tier<P: Program<N, K, M>, const N: usize, const K: usize, cons
         return first_tier_apart::<P, N, K, M>(inputs);
     }
     let escalate = Cell::new(0);
-    let found = in_double_double::<P, N, K, M>(inputs, &escalate);
+    let found = in_double_double::<P, N, K, M, FUSED>(inputs, &escalate);
     (escalate.get() == 0).then_some(found)
 }
 

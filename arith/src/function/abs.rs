@@ -2,7 +2,7 @@
 
 use super::{Cost, Definition, Domain, Parity, Properties, signs};
 use crate::ball::Ball;
-use crate::double_double::DoubleDouble;
+use crate::double_double::DoubleDoubleWith;
 use crate::error_model::Units;
 use crate::soft_float::SoftFloat;
 
@@ -31,7 +31,7 @@ impl Definition for Abs {
     }
 
     #[inline(always)]
-    fn double_double(x: DoubleDouble) -> DoubleDouble {
+    fn double_double<const FUSED: bool>(x: DoubleDoubleWith<FUSED>) -> DoubleDoubleWith<FUSED> {
         if x.round() < 0.0 { -x } else { x }
     }
 

@@ -2,7 +2,7 @@
 
 use super::{Cost, Definition, Domain, Parity, Properties, signs};
 use crate::ball::Ball;
-use crate::double_double::DoubleDouble;
+use crate::double_double::{DoubleDouble, DoubleDoubleWith};
 use crate::error_model::{CUBE_ROOT, double_double};
 use crate::range::power_of_two;
 use crate::soft_float::SoftFloat;
@@ -48,7 +48,7 @@ impl Definition for Cbrt {
     /// are rounded once each, and the quotient is at most d u: 4 d u^2 = 5.4 u^2. The last sum is exact. Together
     /// 7.7 u^2, and terms of higher order. Scaling by powers of two keeps all products in range.
     #[inline(always)]
-    fn double_double(x: DoubleDouble) -> DoubleDouble {
+    fn double_double<const FUSED: bool>(x: DoubleDoubleWith<FUSED>) -> DoubleDoubleWith<FUSED> {
         let high = x.round();
         if high == 0.0 || !high.is_finite() {
             return x;
@@ -56,9 +56,9 @@ impl Definition for Cbrt {
         let (scale, back) = scales(high.abs());
         let x = x * scale;
         let y = Self::double(x.round());
-        let remainder = x - DoubleDouble::two_product(y, y) * y;
+        let remainder = x - DoubleDoubleWith::two_product(y, y) * y;
         let correction = remainder.round() / (3.0 * (y * y));
-        DoubleDouble::two_sum(y, correction) * back
+        DoubleDoubleWith::two_sum(y, correction) * back
     }
 
     fn soft(x: SoftFloat) -> SoftFloat {

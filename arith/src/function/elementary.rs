@@ -3,7 +3,7 @@
 //! In `f64` they are those of the crate `libm`, whose operations round once each: the same bits on every platform. The finer
 //! arithmetics are asked where `f64` does not do; they take the digits from balls of as many words as it needs.
 
-use crate::double_double::DoubleDouble;
+use crate::double_double::DoubleDoubleWith;
 use crate::soft_float::SoftFloat;
 
 /// The value at a number, of a function of balls that is called by its name there.
@@ -30,9 +30,12 @@ pub(super) fn exp(x: SoftFloat) -> SoftFloat {
 }
 
 /// The value in double-double, by that in integers with an endless exponent.
-pub(super) fn double_double(x: DoubleDouble, function: fn(SoftFloat) -> SoftFloat) -> DoubleDouble {
+pub(super) fn double_double<const FUSED: bool>(
+    x: DoubleDoubleWith<FUSED>,
+    function: fn(SoftFloat) -> SoftFloat,
+) -> DoubleDoubleWith<FUSED> {
     let (high, low) = function(SoftFloat::from_f64(x.round()).plus(SoftFloat::from_f64(x.low()))).split();
-    DoubleDouble::two_sum(high, low)
+    DoubleDoubleWith::two_sum(high, low)
 }
 
 /// What an error makes of the arc sine or cosine: the slope at the end that is nearer to -1 or 1. So far from these ends the

@@ -2,7 +2,7 @@
 
 use super::{Cost, Definition, Domain, Parity, Properties, elementary, signs};
 use crate::ball::Ball;
-use crate::double_double::DoubleDouble;
+use crate::double_double::DoubleDoubleWith;
 use crate::error_model::{ELEMENTARY, double_double};
 use crate::soft_float::SoftFloat;
 
@@ -30,7 +30,7 @@ impl Definition for Log {
         libm::log(x)
     }
 
-    fn double_double(x: DoubleDouble) -> DoubleDouble {
+    fn double_double<const FUSED: bool>(x: DoubleDoubleWith<FUSED>) -> DoubleDoubleWith<FUSED> {
         elementary::double_double(x, Self::soft)
     }
 

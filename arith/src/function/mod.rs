@@ -31,7 +31,7 @@ mod truncate;
 use core::cmp::Ordering;
 
 use crate::ball::Ball;
-use crate::double_double::DoubleDouble;
+use crate::double_double::DoubleDoubleWith;
 use crate::error_model::Units;
 use crate::soft_float::SoftFloat;
 pub use cost::Cost;
@@ -47,7 +47,7 @@ trait Definition {
 
     /// In double-double, with the error that [`Properties::double_double_error`] says where [`Range`](crate::range::STEP)
     /// holds of both argument and value.
-    fn double_double(x: DoubleDouble) -> DoubleDouble;
+    fn double_double<const FUSED: bool>(x: DoubleDoubleWith<FUSED>) -> DoubleDoubleWith<FUSED>;
 
     /// In integers with an endless exponent, right to 2^-120.
     fn soft(x: SoftFloat) -> SoftFloat;
@@ -110,7 +110,7 @@ macro_rules! functions {
 
             /// Its value in double-double.
             #[inline(always)]
-            pub(crate) fn double_double(self, x: DoubleDouble) -> DoubleDouble {
+            pub(crate) fn double_double<const FUSED: bool>(self, x: DoubleDoubleWith<FUSED>) -> DoubleDoubleWith<FUSED> {
                 match self {
                     $(Self::$name => $file::$name::double_double(x),)*
                 }

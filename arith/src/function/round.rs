@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::stepped::Stepped;
 use super::{Parity, signs};
-use crate::double_double::DoubleDouble;
+use crate::double_double::DoubleDoubleWith;
 use crate::step::Step;
 
 /// The nearest integer; of two that are as near, the even one.
@@ -24,7 +24,7 @@ impl Stepped for Round {
     }
 
     /// Where the high part lies in the middle between two integers the low one decides.
-    fn of_parts(x: DoubleDouble) -> fn(f64) -> f64 {
+    fn of_parts<const FUSED: bool>(x: DoubleDoubleWith<FUSED>) -> fn(f64) -> f64 {
         let (high, low) = (x.round(), x.low());
         match (high - libm::trunc(high)).abs() {
             0.5 if low < 0.0 => libm::floor,

@@ -2,7 +2,7 @@
 
 use super::{Cost, Definition, Domain, Parity, Properties, signs};
 use crate::ball::Ball;
-use crate::double_double::DoubleDouble;
+use crate::double_double::DoubleDoubleWith;
 use crate::error_model::{ROUNDING, double_double};
 use crate::float;
 use crate::soft_float::SoftFloat;
@@ -35,7 +35,7 @@ impl Definition for Sqrt {
     }
 
     #[inline(always)]
-    fn double_double(x: DoubleDouble) -> DoubleDouble {
+    fn double_double<const FUSED: bool>(x: DoubleDoubleWith<FUSED>) -> DoubleDoubleWith<FUSED> {
         x.sqrt()
     }
 

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::{Cost, Definition, Domain, Parity, Properties};
 use crate::ball::Ball;
-use crate::double_double::DoubleDouble;
+use crate::double_double::DoubleDoubleWith;
 use crate::error_model::Units;
 use crate::soft_float::SoftFloat;
 use crate::step::{self, Step};
@@ -25,7 +25,7 @@ pub(super) trait Stepped {
 
     /// What makes integers of both parts of a double-double.
     #[inline(always)]
-    fn of_parts(_: DoubleDouble) -> fn(f64) -> f64 {
+    fn of_parts<const FUSED: bool>(_: DoubleDoubleWith<FUSED>) -> fn(f64) -> f64 {
         Self::in_double
     }
 
@@ -55,7 +55,7 @@ impl<F: Stepped> Definition for F {
         F::in_double(x)
     }
 
-    fn double_double(x: DoubleDouble) -> DoubleDouble {
+    fn double_double<const FUSED: bool>(x: DoubleDoubleWith<FUSED>) -> DoubleDoubleWith<FUSED> {
         step::double_double(x, F::of_parts(x))
     }
 

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::stepped::Stepped;
 use super::{Parity, signs};
-use crate::double_double::DoubleDouble;
+use crate::double_double::DoubleDoubleWith;
 use crate::step::Step;
 
 /// The integer part: the nearest integer on the way to zero.
@@ -23,7 +23,7 @@ impl Stepped for Truncate {
         libm::trunc(x)
     }
 
-    fn of_parts(x: DoubleDouble) -> fn(f64) -> f64 {
+    fn of_parts<const FUSED: bool>(x: DoubleDoubleWith<FUSED>) -> fn(f64) -> f64 {
         if x.round() < 0.0 { libm::ceil } else { libm::floor }
     }
 
