@@ -248,15 +248,15 @@ fn measured(
     let kept = kept.points(entry).concat().into_iter().filter(|point| domain.holds(point));
     let mut measured = vec![Measured::default(); entry.kernel.meta.results.len()];
     for (point, is_sampled) in kept.map(|point| (point, false)).chain(sampled.into_iter().map(|point| (point, true))) {
+        if !covers(&entry.kernel, &point) {
+            continue;
+        }
         let got = results(&entry.kernel, &point).unwrap_or_else(|_| vec![f64::NAN; measured.len()]);
         let without_value = |_: &ValueError| got.iter().all(|value| !value.is_finite());
         let expected = match reference.values(&point, REFERENCE_BITS) {
             Err(error) if without_value(&error) => continue,
             expected => expected?,
         };
-        if !covers(&entry.kernel, &point) {
-            continue;
-        }
         for (result, formula) in reference.bodies().enumerate() {
             measured[result].include(ulp_error(got[result], &expected[result]), &point);
             if is_sampled {

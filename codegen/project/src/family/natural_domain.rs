@@ -2,6 +2,7 @@
 
 mod cubes;
 mod number;
+mod positive;
 mod surds;
 
 use closedform_maxima::ast::Branch;
@@ -14,6 +15,7 @@ use super::super::domain::Condition;
 use crate::construct::{binary, compared, integer, joined, squared};
 use crate::expression::is_of_roots;
 use number::number;
+use positive::{is_positive, without_positive_constants};
 use surds::{Clause, Decision};
 
 /// The conditions under which a formula has a real value: radicands not negative, denominators not zero.
@@ -51,7 +53,10 @@ struct Needs {
 impl Needs {
     /// That the expression compares so with zero, unless it says nothing because no input occurs in it.
     fn condition(&mut self, expr: &Expr, relation: Relation) {
-        let expr = without_odd_power(expr);
+        let expr = without_positive_constants(without_odd_power(expr));
+        if relation != Relation::Equal && is_positive(expr) {
+            return;
+        }
         let clauses = match surds::decide(expr, relation) {
             Some(Decision::Always) => return,
             Some(Decision::Where(clauses)) => clauses,
@@ -284,6 +289,8 @@ mod tests {
         assert_eq!(texts("atan2(a,b/a)", &["a", "b"]), ["a # 0", "(b/a)^2+a^2 > 0"]);
         assert_eq!(texts("(a/b)^(2/3)-a^(1/3)", &["a", "b"]), ["b # 0"]);
         assert_eq!(texts("mod(1/a,b-a)+mod(a,2)", &["a", "b"]), ["a # 0", "b-a # 0"]);
+        assert_eq!(texts("(2*%pi*a)^b+log(b/%pi)", &["a", "b"]), ["a > 0", "b > 0"]);
+        assert_eq!(texts("1/(1+exp(-a/b))+log(cosh(a)+%e^b*2)+sqrt(sqrt(a)/%pi+1)", &["a", "b"]), ["b # 0", "a >= 0"]);
         assert_eq!(texts("a^(-1/3)+sqrt((a-b)^(1/3))", &["a", "b"]), ["a # 0", "a-b >= 0"]);
     }
 

@@ -261,16 +261,16 @@ fn cores_become_kernels_with_their_preconditions() {
 #[test]
 fn what_no_kernel_can_be_made_of_is_named_in_its_file() {
     let cores = "(FPCore f (x)\n  (+ 1 (erfc x)))\n(FPCore g (x)\n :pre (< (sqrt x) 2) x)\n(FPCore h (x)\n (if (+ x 1) x 2))\n\
-                 (FPCore fine (x) x)\n(FPCore i (x) (while x))\n";
+                 (FPCore fine (x) x)\n(FPCore i (x) (while x))\n(FPCore j () (* 2 PI))\n";
     let folder = folder(&[("my.fpcore", cores)]);
     let Sheet { family, error, summary } = Family::sheet(&folder.path().join("my.fpcore")).unwrap();
-    assert_eq!((summary.passed.len(), summary.lines.len()), (4, 4));
+    assert_eq!((summary.passed.len(), summary.lines.len()), (5, 5));
     assert!(summary.lines[0].starts_with("line 2: passed over: `f` calls `erfc`"), "{:?}", summary.lines);
     assert_eq!(family.contract.kernels.iter().map(|kernel| kernel.name.as_str()).collect::<Vec<_>>(), ["fine"]);
     has(
         &drawn(&error.unwrap()),
         &[
-            "4 mistakes",
+            "5 mistakes",
             "`f` calls `erfc`, which kernels cannot compute",
             "my.fpcore:2:8",
             "`g`: a side of the domain condition is not a rational function",
@@ -279,6 +279,8 @@ fn what_no_kernel_can_be_made_of_is_named_in_its_file() {
             "my.fpcore:6:6",
             "`while` is no formula",
             "my.fpcore:8:15",
+            "`j` has no argument: it is a number",
+            "my.fpcore:9:1",
         ],
     );
     std::fs::write(folder.path().join("my.toml"), CONTRACT).unwrap();

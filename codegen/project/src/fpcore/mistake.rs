@@ -20,7 +20,7 @@ pub struct CoreMistake {
 }
 
 impl CoreMistake {
-    pub(super) fn new(what: impl Into<String>, remedy: impl Into<String>, span: Range<usize>) -> Self {
+    pub(crate) fn new(what: impl Into<String>, remedy: impl Into<String>, span: Range<usize>) -> Self {
         Self { what: what.into(), remedy: remedy.into(), span: span.into() }
     }
 }

@@ -81,6 +81,11 @@ const LONGEST_NAME: usize = 48;
 
 /// A kernel with the domain and the words of its core, or what of the precondition cannot be decided.
 fn kernel_of(kernel: &KernelContract, core: &Core, file: &str) -> Result<KernelContract, Vec<CoreMistake>> {
+    if kernel.inputs.is_empty() {
+        let what = format!("`{}` has no argument: it is a number, which needs no kernel", kernel.name);
+        let remedy = "give the core an argument, or leave it out";
+        return Err(vec![CoreMistake::new(what, remedy, core.definition.span.clone())]);
+    }
     let (mut conditions, mut mistakes) = (Vec::new(), Vec::new());
     for part in &core.conditions {
         match Condition::read(part, &kernel.inputs) {
