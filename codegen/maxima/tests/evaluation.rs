@@ -119,6 +119,15 @@ fn numbers_at_a_step_are_told_from_those_beside_it() {
         ("floor(log(%e^a)/a)", 1.0),
         ("mod(h,7)", 1.0),
         ("1-floor(%e^-700)", 1.0),
+        ("if sqrt(2)*sqrt(8) = 4 then 1 else 0", 1.0),
+        ("if 3*(1/3) < 1 then 0 elseif n*(1/n) > 1 then 0 else 1", 1.0),
+        ("if 1+e^3 > 1 and 1-e^3 < 1 then 1 else 0", 1.0),
+        ("if e^3 = 0 or h^2 = 0 then 0 else 1", 1.0),
+        // Kahan's monster: the quotient of what rounding leaves
+        (
+            "if (abs(h-sqrt(h*h+1))-1/(h+sqrt(h*h+1)))^2 = 0 then 1 else (exp((abs(h-sqrt(h*h+1))-1/(h+sqrt(h*h+1)))^2)-1)/(abs(h-sqrt(h*h+1))-1/(h+sqrt(h*h+1)))^2",
+            1.0,
+        ),
     ] {
         assert_eq!(value(text, &inputs).map(|found| found.to_f64()), Ok(wanted), "{text}");
     }

@@ -11,7 +11,7 @@ use crate::exact;
 
 use super::error::EvalError;
 use super::notes::Notes;
-use super::{function, power};
+use super::{function, power, step};
 
 pub(super) type Result<T> = std::result::Result<T, EvalError>;
 
@@ -168,7 +168,8 @@ impl<'a> Scope<'a> {
                 Ok(self.holds(left)? || self.holds(right)?)
             }
             ExprKind::Binary { operator: BinaryOperator::Compare(relation), left, right } => {
-                let order = self.value(left)?.partial_cmp(&self.value(right)?).ok_or_else(no_condition)?;
+                let order =
+                    step::order(self.notes, &self.value(left)?, &self.value(right)?).ok_or_else(no_condition)?;
                 Ok(relation.holds(order))
             }
             _ => Err(no_condition()),

@@ -22,8 +22,8 @@ const NOISE_COUNT: u32 = 3;
 /// The value of the expression at exactly these inputs, the first `bits` bits of which are right.
 ///
 /// The precision doubles until two results in a row agree to `bits` bits, or until the result is zero: exactly, twice, or
-/// nothing but rounding noise that shrinks as the precision grows. A number that is as near to a step of `floor` and the like, however
-/// high the precision, is the number there. It starts the higher, the farther the magnitudes of the
+/// nothing but rounding noise that shrinks as the precision grows. A number that is as near to a step of `floor` and the like, or to one
+/// that it is compared with, however high the precision, is the number there. It starts the higher, the farther the magnitudes of the
 /// inputs lie apart, and those of functions such as `exp` from 1, lest a small number is lost beside a large one at two precisions
 /// in a row. The result has all bits of
 /// the highest precision used.
@@ -37,7 +37,7 @@ pub fn evaluate_stable(expression: &Expr, inputs: &BTreeMap<String, f64>, bits: 
     let (low, high) = exponents(&exact);
     let spread = low.abs_diff(high);
     let mut precision = first_precision(bits, spread);
-    let evaluated = |precision| Evaluated::of(expression, &exact, precision);
+    let evaluated = |precision| Evaluated::of(expression, &exact, low, precision);
     let mut first = evaluated(precision);
     let reach = first.notes.reach.get();
     if reach > spread {
@@ -71,8 +71,8 @@ struct Evaluated {
 }
 
 impl Evaluated {
-    fn of(expression: &Expr, inputs: &BTreeMap<String, Float>, precision: u32) -> Self {
-        let notes = Notes { takes_near_for_equal: true, ..Notes::default() };
+    fn of(expression: &Expr, inputs: &BTreeMap<String, Float>, low: i32, precision: u32) -> Self {
+        let notes = Notes { takes_near_for_equal: true, noise: noise_border(low, precision), ..Notes::default() };
         let value = evaluate_noting(expression, inputs, precision, &notes);
         Self { value, notes }
     }
@@ -99,9 +99,14 @@ fn agree(earlier: &Float, later: &Float, bits: u32) -> bool {
     }
 }
 
+/// The binary exponent below which a number is far below the smallest input, as only rounding makes it.
+fn noise_border(low: i32, precision: u32) -> i64 {
+    i64::from(low) - i64::from(precision / 2)
+}
+
 /// The count raised if the value is far below the smallest input, as only rounding makes it; otherwise 0.
 fn count_noise(count: u32, found: &Evaluated, low: i32, precision: u32) -> u32 {
-    let border = i64::from(low) - i64::from(precision / 2);
+    let border = noise_border(low, precision);
     match &found.value {
         Ok(value)
             if !found.notes.lost_fraction.get()

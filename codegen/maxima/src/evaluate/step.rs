@@ -1,4 +1,6 @@
-//! Functions whose values are integers, at numbers that are rounded.
+//! Functions whose values are integers, and comparisons, at numbers that are rounded.
+
+use std::cmp::Ordering;
 
 use rug::Float;
 
@@ -33,4 +35,21 @@ pub(super) fn value(notes: &Notes, function: fn(Float) -> Float, argument: Float
         notes.is_near_step.set(true);
     }
     function(if is_near { place } else { argument })
+}
+
+/// Which number is larger; `None` of NaN. Where it is asked for, numbers that half of the bits do not tell apart, or that only noise
+/// does, are taken for equal, and this is noted: what is nearer at every precision is equal.
+pub(super) fn order(notes: &Notes, left: &Float, right: &Float) -> Option<Ordering> {
+    let order = left.partial_cmp(right)?;
+    let difference = Float::with_val(left.prec(), left - right);
+    let (Some(difference), Some(size)) = (difference.get_exp(), left.get_exp().max(right.get_exp())) else {
+        return Some(order);
+    };
+    let half = i64::from(left.prec() / 2);
+    let is_near = i64::from(difference) <= notes.noise.max(i64::from(size) - half);
+    if notes.takes_near_for_equal && is_near {
+        notes.is_near_step.set(true);
+        return Some(Ordering::Equal);
+    }
+    Some(order)
 }
