@@ -84,6 +84,9 @@ pub enum TowerError {
     /// A sum with a cube root that may cancel in a way that no rule mends.
     #[error("adds three terms with a cube root, or its square, that may cancel")]
     CancellingCubes,
+    /// A sum with the circle constant that may cancel: no `f64` is exact enough to start from.
+    #[error("adds terms with pi that may cancel")]
+    CancellingPi,
     /// The square root of a negative constant.
     #[error("takes the square root of a negative number")]
     NegativeRadicand,

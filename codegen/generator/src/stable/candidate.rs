@@ -80,3 +80,24 @@ fn error_of_step(graph: &Graph, node: Node, known: &mut HashMap<Node, f64>) -> f
     known.insert(node, error);
     error
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::field::Sign;
+    use closedform_syntax::Function;
+
+    #[test]
+    fn errors_of_factors_add_up_in_double_double_too() {
+        let mut graph = Graph::default();
+        let roots = [0, 1].map(|index| {
+            let input = graph.input(index, Sign::POSITIVE);
+            graph.call(Function::Sqrt, input)
+        });
+        let product = graph.mul(roots[0], roots[1]);
+        let sum = graph.add(roots[0], roots[1]);
+        let made = Candidate { precision: Precision::DoubleDouble, ..Candidate::new(graph, vec![product, sum]) };
+        // two roots and what joins them; the larger of two roots, and what joins them
+        assert!(made.error(product) > made.error(sum));
+    }
+}

@@ -59,6 +59,19 @@ mod tests {
     }
 
     #[test]
+    fn factors_that_may_be_zero_or_of_either_sign_do_matter() {
+        let mut graph = Graph::default();
+        let open = graph.input(0, Sign::ANY);
+        let zero = graph.constant(&BigRational::zero());
+        for (index, sign) in [(1, Sign::ANY), (2, Sign::NONNEGATIVE), (3, Sign::NONZERO)] {
+            let factor = graph.input(index, sign);
+            let product = if index == 2 { graph.mul(factor, open) } else { graph.mul(open, factor) };
+            let expected = Condition::Compare(product, Relation::Greater, zero);
+            assert_eq!(compared_with_zero(&mut graph, product, Relation::Greater), expected, "{sign}");
+        }
+    }
+
+    #[test]
     fn only_functions_that_keep_the_sign_do_not_matter() {
         let mut graph = Graph::default();
         let x = graph.input(0, Sign::ANY);

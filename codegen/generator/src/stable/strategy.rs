@@ -230,6 +230,21 @@ mod tests {
         assert!(made.worst_error() < 5.0);
     }
 
+    #[test]
+    fn a_factor_goes_into_a_difference_in_its_order() {
+        let (mut graph, [p, q, r]) = inputs::<3>();
+        let negative = graph.input(3, Sign::NEGATIVE);
+        let root = graph.call(Function::Sqrt, r);
+        let term = graph.mul(q, root);
+        let difference = graph.sub(term, negative);
+        let squares = product(&mut graph, &[p, p, p, p]);
+        let outer = graph.mul(squares, difference);
+        let made = finished(graph, vec![outer], NOTHING);
+        let Op::Sub(left, right) = *made.graph.op(made.outputs[0]) else { panic!("no difference") };
+        assert!(matches!(made.graph.op(left), Op::Mul(_, factor) if *factor == root));
+        assert!(matches!(made.graph.op(right), Op::Compensated(_)));
+    }
+
     /// The rules of the product of a sum and a factor whose polynomial is long, and its error.
     fn with_a_long_factor(graph: &mut Graph, [p, q]: [Node; 2], sum: Node) -> (Vec<&'static str>, f64) {
         let binomial = graph.add(p, q);
@@ -269,6 +284,19 @@ mod tests {
         let shared = finished(graph, quotients, Wanted { one_division: true, ..NOTHING });
         assert_eq!((divisions(&apart), divisions(&shared)), (2, 1));
         assert_eq!(Vec::from_iter(shared.rules(&[])), ["one-reciprocal"]);
+    }
+
+    #[test]
+    fn a_quotient_keeps_its_minus_through_a_reciprocal() {
+        let (mut graph, [x, y, z]) = inputs::<3>();
+        let quotient = graph.div(x, z);
+        let quotients = vec![graph.neg(quotient), graph.div(y, z)];
+        let made = finished(graph, quotients, Wanted { one_division: true, ..NOTHING });
+        assert_eq!(
+            made.outputs.iter().map(|&output| made.graph.sign(output)).collect::<Vec<_>>(),
+            [Sign::NEGATIVE, Sign::POSITIVE]
+        );
+        assert!(matches!(made.graph.op(made.outputs[0]), Op::Neg(_)));
     }
 
     #[test]

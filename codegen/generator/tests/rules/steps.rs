@@ -2,7 +2,7 @@
 
 use super::BITS;
 use closedform_generator::field::Sign;
-use closedform_generator::program::{CompensatedExpr, Condition, Graph, Node, Op};
+use closedform_generator::program::{CompensatedExpr, Condition, Graph, Node, Op, reached};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use rug::float::Constant;
@@ -21,6 +21,14 @@ pub fn wrong_sign(graph: &Graph, results: &[Node], point: &[f64]) -> Option<Stri
         wrong.then(|| format!("{:?} has the value {value:.6e}, not {sign}, at {point:?}", graph.op(node)))
     };
     walk.known.iter().find_map(wrong)
+}
+
+/// A compensated expression of a form that is positive nowhere, if there is one: of p and -p, both share the positive one.
+pub fn turned(graph: &Graph, results: &[Node]) -> Option<String> {
+    let of_a_form = |node: &Node| matches!(graph.op(*node), Op::Compensated(_)) && !graph.is_fused(*node);
+    let steps = reached(graph, results.iter().copied()).into_iter();
+    let turned = steps.filter(of_a_form).find(|&node| graph.sign(node).is(Sign::NONPOSITIVE));
+    turned.map(|node| format!("{:?} is never positive", graph.op(node)))
 }
 
 /// The sign of a value; what has cancelled to nothing is zero.

@@ -17,8 +17,11 @@ pub const RULE: Rule = Rule {
 /// The polynomial in pairs; the compensated expression is positive where the domain makes it so.
 ///
 /// # Errors
-/// When the tower has no room left.
+/// When the circle constant is among the operands; when the tower has no room left.
 pub fn steps(builder: &mut Builder, polynomial: &Polynomial) -> Result<Node, TowerError> {
+    if builder.tower.pi().is_some_and(|pi| polynomial.contains(pi)) {
+        return Err(TowerError::CancellingPi);
+    }
     let sign = builder.tower.facts.sign(polynomial);
     let turned = sign.is(Sign::NONPOSITIVE);
     let (polynomial, sign) = if turned { (&polynomial.negated(), -sign) } else { (polynomial, sign) };

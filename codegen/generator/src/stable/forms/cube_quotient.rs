@@ -27,13 +27,14 @@ pub fn steps(builder: &mut Builder, surd: &Surd) -> Result<Option<Node>, TowerEr
     let ([_, middle, _], Some(below)) = (&parts[..], below(builder, surd)) else { return Ok(None) };
     let signs: Vec<Sign> = parts.iter().map(|part| builder.tower.sign_of(part)).collect();
     let around = signs[0].plus(signs[2]);
-    if !around.is_definite() || !is_added_where_opposed(builder, &below, middle, around) {
+    // those around it are squares then
+    if !is_added_where_opposed(builder, &below, middle) {
         return Ok(None);
     }
     let [a, b] = cubic::terms(builder, &below)?[..] else { return Ok(None) };
     let otherwise = quotient(builder, surd, &below, [a, b])?;
     builder.mark(&RULE, otherwise);
-    if signs[1].is(Sign::NONZERO) && signs[1] == -(around & Sign::NONZERO) {
+    if signs[1] == -(around & Sign::NONZERO) {
         return Ok(Some(otherwise));
     }
     let terms: Vec<Term> = cubic::terms(builder, surd)?;
@@ -55,12 +56,12 @@ fn below(builder: &Builder, surd: &Surd) -> Option<Surd> {
 }
 
 /// Whether the terms below the bar have one sign, and are not zero, where the one in the middle is opposed to those
-/// around it: their product is then a multiple of the one in the middle, by a constant of the other sign.
-fn is_added_where_opposed(builder: &Builder, below: &Surd, middle: &Polynomial, around: Sign) -> bool {
+/// around it: their product is then a multiple of the one in the middle, by a negative constant.
+fn is_added_where_opposed(builder: &Builder, below: &Surd, middle: &Polynomial) -> bool {
     let reduced = |polynomial: &Polynomial| builder.tower.reduce(polynomial);
     let product = below.cubic_terms().iter().fold(middle.clone(), |product, term| reduced(&product.times(term)));
     let factor = product.divided_by(&reduced(&middle.times(middle))).and_then(|factor| factor.as_constant());
-    factor.is_some_and(|factor| if around.is(Sign::NONNEGATIVE) { factor.is_negative() } else { factor.is_positive() })
+    factor.is_some_and(|factor| factor.is_negative())
 }
 
 fn quotient(builder: &mut Builder, surd: &Surd, below: &Surd, [a, b]: [Term; 2]) -> Result<Node, TowerError> {

@@ -67,7 +67,7 @@ fn through_difference(
     high: Var,
     low: Var,
 ) -> Result<Option<Polynomial>, TowerError> {
-    if !polynomial.contains(high) || !polynomial.contains(low) || polynomial.len() == 2 {
+    if !polynomial.contains(high) {
         return Ok(None);
     }
     let ring = polynomial.ring();

@@ -22,7 +22,7 @@ pub fn steps(builder: &mut Builder, polynomial: &Polynomial) -> Result<Option<No
     let slacks: Vec<Slack> = builder.tower.facts.slacks().to_vec();
     for slack in &slacks {
         for var in slack.polynomial.variables() {
-            if !polynomial.contains(var) || slack.polynomial.primitive().1 == polynomial.primitive().1 {
+            if !polynomial.contains(var) {
                 continue;
             }
             if let Some(node) = through(builder, polynomial, slack, var)? {

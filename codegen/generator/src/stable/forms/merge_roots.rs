@@ -23,7 +23,7 @@ pub const RULE: Rule = Rule {
 pub fn steps(builder: &mut Builder, surd: &Surd) -> Result<Option<Node>, TowerError> {
     let common = builder.tower.radicals().iter().rev().find_map(|radical| {
         let (rational, rest) = parts(&surd.sum, radical.var);
-        (radical.degree == 2 && rational.is_zero() && !rest.is_zero()).then(|| (radical.clone(), rest))
+        (radical.degree == 2 && rational.is_zero()).then(|| (radical.clone(), rest))
     });
     let Some((radical, rest)) = common else { return Ok(None) };
     merged(builder, &rest, &radical, surd.quotient.clone()).map(Some)

@@ -34,7 +34,7 @@ pub fn steps(builder: &mut Builder, surd: &Surd) -> Result<Option<Node>, TowerEr
     }
     let a = builder.value(&rational)?;
     let square = builder.graph.mul(a, a);
-    let square = builder.graph.with_error(square, Sign::NONNEGATIVE, 2.0 * builder.graph.error(a) + 1.0);
+    builder.graph.learn(square, Sign::NONNEGATIVE);
     let rest = builder.value(&norm.negated())?;
     let inside = builder.graph.add(square, rest);
     let root = builder.graph.call(Function::Sqrt, inside);

@@ -83,8 +83,8 @@ fn eliminate(
         }
     }
     for (factor, _) in relation.factors().powers {
-        if factor.contains(stand_in) && vanishes(&builder.tower, &factor, stand_in, &earlier.element)? {
-            candidates.extend(eliminations(&numerator, &denominator, &factor, stand_in));
+        if vanishes(&builder.tower, &factor, stand_in, &earlier.element)? {
+            candidates.extend(eliminations(&numerator, &denominator, &factor));
         }
     }
     let mut plain: Vec<(Polynomial, Polynomial)> = candidates
@@ -105,11 +105,10 @@ fn eliminations(
     numerator: &Polynomial,
     denominator: &Polynomial,
     relation: &Polynomial,
-    stand_in: Var,
 ) -> Vec<(Polynomial, Polynomial)> {
     let mut found = Vec::new();
     for var in relation.variables() {
-        if var == stand_in || relation.degree(var) != 1 {
+        if relation.degree(var) != 1 {
             continue;
         }
         let coefficients = relation.coefficients(var);

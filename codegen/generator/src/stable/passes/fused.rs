@@ -48,7 +48,7 @@ pub fn mark(graph: &mut Graph, expression: Node) {
 /// The polynomial of a step that takes more than one rounding.
 fn compensated_expression(graph: &Graph, node: Node) -> Option<CompensatedExpr> {
     // what is one rounding from exact gains nothing
-    let worth = graph.error(node) > 1.5 && !matches!(graph.op(node), Op::Compensated(_));
+    let worth = graph.error(node) > 1.5;
     graph.polynomial(node).filter(|expression| worth && fits(expression))
 }
 
