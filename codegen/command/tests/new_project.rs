@@ -88,6 +88,11 @@ fn every_mistake_is_found_without_symbolica() {
         assert!(said.contains(&format!("missing: {file}")), "{said}");
     }
     let (_folder, project) = made();
+    fs::remove_file(project.join("maxima-ref/braking.mac")).unwrap();
+    for check in [&["check"][..], &["check", "--maxima"]] {
+        assert!(fails(&project, check).contains("not there: put it back, or delete"), "{check:?}");
+    }
+    let (_folder, project) = made();
     fs::write(project.join("maxima-ref/more.mac"), "half(x) := x/2$").unwrap();
     assert!(fails(&project, &["check"]).contains("missing: kernels/src/generated/more.rs"));
 }

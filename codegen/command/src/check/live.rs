@@ -2,6 +2,7 @@
 
 use super::error::CheckError;
 use crate::worker::{self, Source};
+use closedform_build::worksheet;
 use closedform_project::Project;
 use closedform_project::derive::{Compared, Disagreement, Options, compare};
 use closedform_project::family::family_names;
@@ -19,9 +20,16 @@ const SHOWN: usize = 3;
 pub fn check(project: &Project, options: &Options) -> miette::Result<String> {
     let (mut changed, mut said) = (Vec::new(), String::new());
     for name in family_names(&project.worksheets)? {
+        let file = |ending: &str| project.worksheets.join(format!("{name}.{ending}"));
+        if !worksheet(&project.worksheets, &name).exists() {
+            let contract = project.shown(&file("toml"));
+            changed.push(format!(
+                "{contract} is the contract of a worksheet that is not there: put it back, or delete what was made of it too"
+            ));
+            continue;
+        }
         let compared = compare(&project.worksheets, &name, options)?;
         said += &other_version(&name, &compared);
-        let file = |ending: &str| project.worksheets.join(format!("{name}.{ending}"));
         changed.extend(compared.changed.iter().map(|(function, kernel)| {
             let references = project.shown(&file("ref"));
             format!("{references}: Maxima derives another `{function}`, of the kernel `{kernel}`")
