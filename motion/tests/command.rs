@@ -163,7 +163,7 @@ fn numbers_that_are_wrong_are_told_by_the_names_of_their_flags() {
             ("plan step --travel 1 --a-max 2", "j-max"),
             ("plan waypoints --point 0,0 --point 1,1 --a-max 2", "j-max"),
             (
-                "plan raster-scan --velocity 0.1 --line-length 1 --step 0.1 --lines 3 --step-a-max 1 --fly-v-max 1",
+                "plan raster-scan --v-scan 0.1 --line-length 1 --step 0.1 --lines 3 --step-a-max 1 --fly-v-max 1",
                 "fly-a-max",
             ),
         ] {
@@ -172,6 +172,13 @@ fn numbers_that_are_wrong_are_told_by_the_names_of_their_flags() {
             assert!(error.starts_with(&format!("error: {flag} is {number}: give a positive limit")), "{error}");
         }
     }
+    let error = bad(folder.path(), &format!("plan five-segment {}", FIVE.replace("--delta-x 0.01", "--delta-x 0")));
+    assert!(error.starts_with("error: delta-x is 0: "), "{error}");
+    let error = bad(
+        folder.path(),
+        "plan raster-scan --v-scan 0.1 --line-length nan --step 0.1 --lines 3 --step-a-max 1 --fly-a-max 1",
+    );
+    assert!(error.starts_with("error: the magnitude of line-length is NaN: "), "{error}");
     for number in ["nan", "inf", "0"] {
         let error = bad(folder.path(), &format!("plan step --a-max 2 --travel {number}"));
         assert!(
