@@ -69,10 +69,16 @@ fn beside(path: &Path) -> io::Result<NamedTempFile> {
     // As any other new file, the umask allowing; a temporary one is its owner's alone.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let file = builder.tempfile_in(folder)?;
+    let file = builder.tempfile_in(folder).map_err(without_its_name)?;
     // Says that it is in use; on a file system without locks nobody can lock it, so nobody removes it.
     _ = file.as_file().try_lock();
     Ok(file)
+}
+
+/// What the system said, without the name of the temporary file: whoever reads it knows the one that it stands for.
+fn without_its_name(error: io::Error) -> io::Error {
+    let (said, kind) = (error.to_string(), error.kind());
+    said.split_once(" at path \"").map_or(error, |(said, _)| io::Error::new(kind, said.to_owned()))
 }
 
 /// Removes the temporary files of killed commands: those that nobody holds. What cannot be read or removed stays.

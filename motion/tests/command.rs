@@ -125,7 +125,7 @@ fn a_file_says_what_flags_say_and_flags_come_first() {
 }
 
 #[test]
-fn bad_input_is_one_line_and_exit_code_2() {
+fn bad_input_is_one_line_and_exit_code_1() {
     let folder = folder();
     let path = folder.path();
     let error = bad(path, "plan scan-skip --v1-scan 0.1 --table a.csv");
@@ -154,11 +154,51 @@ fn bad_input_is_one_line_and_exit_code_2() {
 }
 
 #[test]
+fn numbers_that_are_wrong_are_told_by_the_names_of_their_flags() {
+    let folder = folder();
+    for number in ["nan", "-1", "0"] {
+        for (arguments, flag) in [
+            ("plan step --travel 1 --a-max 2", "v-max"),
+            ("plan step --travel 1 --v-max 2", "a-max"),
+            ("plan step --travel 1 --a-max 2", "j-max"),
+            ("plan waypoints --point 0,0 --point 1,1 --a-max 2", "j-max"),
+            (
+                "plan raster-scan --v-scan 0.1 --line-length 1 --step 0.1 --lines 3 --step-a-max 1 --fly-v-max 1",
+                "fly-a-max",
+            ),
+        ] {
+            let error = bad(folder.path(), &format!("{arguments} --{flag} {number}"));
+            let number = number.replace("nan", "NaN");
+            assert!(error.starts_with(&format!("error: {flag} is {number}: give a positive limit")), "{error}");
+        }
+    }
+    let error = bad(folder.path(), &format!("plan five-segment {}", FIVE.replace("--delta-x 0.01", "--delta-x 0")));
+    assert!(error.starts_with("error: delta-x is 0: "), "{error}");
+    let error = bad(
+        folder.path(),
+        "plan raster-scan --v-scan 0.1 --line-length nan --step 0.1 --lines 3 --step-a-max 1 --fly-a-max 1",
+    );
+    assert!(error.starts_with("error: the magnitude of line-length is NaN: "), "{error}");
+    for number in ["nan", "inf", "0"] {
+        let error = bad(folder.path(), &format!("plan step --a-max 2 --travel {number}"));
+        assert!(
+            error.starts_with("error: travel is ") && error.contains(": give a finite number other than 0"),
+            "{error}"
+        );
+    }
+}
+
+#[test]
 fn broken_files_are_told_with_their_line() {
     let folder = folder();
     let path = folder.path();
     fs::write(path.join("plan.toml"), "v1-scan = 0.1\nspeed = 3\n").expect("written");
-    assert!(bad(path, "plan scan-skip --file plan.toml").contains("plan.toml: line 2: unknown field `speed`"));
+    assert!(
+        bad(path, "plan scan-skip --file plan.toml").contains("plan.toml: line 2, column 1: unknown field `speed`")
+    );
+    fs::write(path.join("plan.toml"), "v1-scan = 0.1\nline-length = \"1 m\"\n").expect("written");
+    let said = bad(path, "plan scan-skip --file plan.toml");
+    assert!(said.contains("plan.toml: line 2, column 15: invalid type: string \"1 m\""), "{said}");
     fs::write(path.join("plan.toml"), "v1-scan = \n").expect("written");
     assert!(bad(path, "plan scan-skip --file plan.toml").contains("plan.toml: line 1"));
     assert!(bad(path, "plan scan-skip --file none.toml").contains("none.toml"));
@@ -175,7 +215,10 @@ fn broken_files_are_told_with_their_line() {
 fn a_place_that_cannot_be_written_is_exit_code_1() {
     let folder = folder();
     let error = bad(folder.path(), &format!("plan step {STEP} --table none/a.csv"));
-    assert!(error.contains("none/a.csv"), "{error}");
+    let said = "none/a.csv: No such file or directory (os error 2): make room, and get the right to write there\n";
+    assert_eq!(error, format!("error: {said}"));
+    let error = bad(folder.path(), &format!("plot step {STEP} --picture none/a.svg"));
+    assert_eq!(error, format!("error: {}", said.replace("csv", "svg")));
 }
 
 #[test]

@@ -11,7 +11,7 @@
 mod fresh;
 mod stamp;
 
-pub use fresh::{Cause, MARK, Origin, Stale, WORKSHEETS, inputs, is_marked, stale, worksheet, worksheet_of};
+pub use fresh::{Cause, MARK, Origin, Stale, WORKSHEETS, inputs, is_marked, remedy, stale, worksheet, worksheet_of};
 pub use stamp::{Stamp, VERSION, hash, stamped};
 
 use std::path::Path;
@@ -27,7 +27,7 @@ pub fn check(worksheets: impl AsRef<Path>) {
         Ok(stale) if stale.is_empty() => {}
         Ok(stale) => {
             stale.iter().for_each(|stale| println!("cargo::error={stale}"));
-            println!("cargo::error=run `{}`, read the difference and commit it", stale[0].command);
+            println!("cargo::error=run `{}`, read the difference and commit it", remedy(&stale));
         }
         Err(cause) => {
             println!("cargo::error=cannot read {} and {}: {cause}", generated.display(), worksheets.display())

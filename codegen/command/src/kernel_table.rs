@@ -39,8 +39,7 @@ pub fn update(project: &Project, catalogue: &Catalogue, rows: &[Row]) -> miette:
 }
 
 fn write(page: &Path, text: &str) -> io::Result<()> {
-    let file = scratch::beside(page)?;
-    fs::write(file.path(), text)?;
+    let file = scratch::beside(page, text)?;
     file.as_file().set_permissions(fs::metadata(page)?.permissions())?;
     file.persist(page).map_err(|error| error.error)?;
     Ok(())

@@ -35,17 +35,8 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
 }
 
 fn text(rows: &[Row]) -> String {
-    let mut table = crate::columns::table([
-        "kernel",
-        "result",
-        "bound",
-        "worst",
-        "as Maxima writes it",
-        "cost",
-        "faithful",
-        "as written",
-    ]);
-    table.add_rows(rows.iter().map(|row| {
+    let header = ["kernel", "result", "bound", "worst", "as Maxima writes it", "cost", "faithful", "as written"];
+    let cells = |row: &Row| {
         [
             row.kernel.clone(),
             row.result.clone(),
@@ -56,6 +47,7 @@ fn text(rows: &[Row]) -> String {
             row.faithful_cost.to_string(),
             row.as_written_cost.map_or_else(String::new, |cost| cost.to_string()),
         ]
-    }));
+    };
+    let table = crate::columns::table(header, rows.iter().map(cells));
     format!("{table}\nerrors in ulp, costs in additions\n")
 }

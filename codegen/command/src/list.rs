@@ -6,7 +6,7 @@ use miette::miette;
 
 use super::description::{Description, with_unit};
 use super::words::counted;
-use closedform_measure::catalogue::{Catalogue, nearest};
+use closedform_measure::catalogue::{Catalogue, CatalogueError, did_you_mean, nearest};
 use closedform_project::Project;
 use closedform_system::output;
 
@@ -51,11 +51,14 @@ fn kernels(catalogue: &Catalogue, family: Option<&str>) -> miette::Result<Vec<De
 
 fn unknown(catalogue: &Catalogue, family: &str) -> miette::Report {
     let families = catalogue.entries().iter().map(|entry| (entry.family.clone(), entry.family.clone()));
-    let nearest = nearest(family, families).join(", ");
-    miette!(
-        help = format!("did you mean {nearest}? `closedform list` names all kernels"),
-        "no family is called `{family}`"
-    )
+    let help = match catalogue.find(family) {
+        Ok(kernel) => format!("it is a kernel: `closedform show {}` tells all of it", kernel.full_name()),
+        Err(CatalogueError::Ambiguous { candidates, .. }) => {
+            format!("it is the name of several kernels: `closedform show` tells of {}", candidates.join(", "))
+        }
+        Err(_) => did_you_mean(&nearest(family, families)),
+    };
+    miette!(help = help, "no family is called `{family}`")
 }
 
 fn text(kernels: &[Description]) -> String {
@@ -113,6 +116,10 @@ mod tests {
         let names = |family: &str| kernels(&catalogue, Some(family)).map(|found| found.len());
         assert_eq!((names("line").unwrap(), names("plane").unwrap()), (2, 1));
         has(&drawn(names("lin").unwrap_err().as_ref()), &["no family is called `lin`", "did you mean line"]);
+        let help = |name: &str| drawn(names(name).unwrap_err().as_ref());
+        has(&help("root"), &["it is a kernel: `closedform show line::root`"]);
+        has(&help("slope"), &["several kernels: `closedform show` tells of line::slope, plane::slope"]);
+        assert!(!help("nothing_alike").contains("did you mean"));
     }
 
     #[test]

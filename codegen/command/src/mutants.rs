@@ -12,7 +12,7 @@ use thiserror::Error;
 
 use crate::bar::progress_bar;
 use closedform_measure::catalogue::Catalogue;
-use closedform_mutants::{Effort, Lists, MutateError, Outcome, Unneeded, examine};
+use closedform_mutants::{Effort, Equivalents, Lists, MutateError, Outcome, Unneeded, examine};
 use closedform_project::Project;
 use closedform_system::output;
 use report::Row;
@@ -38,9 +38,11 @@ pub struct Args {
 #[error("{}", summary(*survivors, *unneeded, unjudged.len()))]
 #[diagnostic(help(
     "a survivor is a hole in the points, a part that the kernel does not need, or the same function; \
-     the last kind goes into EQUIVALENT.toml among the records with its reason"
+     the last kind goes into {list} with its reason"
 ))]
 struct MutantsError {
+    /// The list of equivalent mutants, as one reads its path from the root.
+    list: String,
     survivors: usize,
     unneeded: usize,
     #[related]
@@ -71,15 +73,15 @@ pub fn run(args: &Args, project: &Project) -> miette::Result<()> {
     } else {
         output::print(&report::text(&rows, &unneeded))?
     }
-    conclude(&rows, &unneeded, unjudged)
+    conclude(project.shown(&Equivalents::path(&project.records)), &rows, &unneeded, unjudged)
 }
 
-fn conclude(rows: &[Row], unneeded: &[Unneeded], unjudged: Vec<MutateError>) -> miette::Result<()> {
+fn conclude(list: String, rows: &[Row], unneeded: &[Unneeded], unjudged: Vec<MutateError>) -> miette::Result<()> {
     let survivors = rows.iter().map(Row::survivors).sum();
     if survivors == 0 && unneeded.is_empty() && unjudged.is_empty() {
         return Ok(());
     }
-    Err(MutantsError { survivors, unneeded: unneeded.len(), unjudged }.into())
+    Err(MutantsError { list, survivors, unneeded: unneeded.len(), unjudged }.into())
 }
 
 type Judged = Vec<(usize, Result<Outcome, MutateError>)>;

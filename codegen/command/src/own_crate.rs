@@ -25,7 +25,7 @@ use closedform_project::{Project, folder, layout};
 use closedform_system::scratch::Folder;
 use place::Place;
 use runtime::RUNTIME;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
@@ -73,6 +73,15 @@ impl Draft {
         files.extend(text::joint(&catalogue, judges));
         Ok(files)
     }
+}
+
+/// The names of all files that are generated of families, with values and judges unless others judge them.
+pub fn names<'a>(families: impl IntoIterator<Item = &'a str>, judges: bool) -> BTreeSet<String> {
+    let modules: BTreeSet<&str> = families.into_iter().collect();
+    let endings: &[&str] = if judges { &["rs", "tsv"] } else { &["rs"] };
+    let joint = [text::INDEX].into_iter().chain(judges.then_some(text::JUDGES)).filter(|_| !modules.is_empty());
+    let of_module = |module: &str| endings.iter().map(|ending| format!("{module}.{ending}")).collect::<Vec<_>>();
+    modules.iter().flat_map(|module| of_module(module)).chain(joint.map(str::to_owned)).collect()
 }
 
 /// Whether the kernels of `worksheet` may be written to `out`; nothing is written.

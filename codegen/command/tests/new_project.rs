@@ -80,9 +80,18 @@ fn every_mistake_is_found_without_symbolica() {
         let said = fails(&project, &["check"]);
         assert!(said.contains(words), "{file}: `{words}` is not in {said}");
     }
+    for file in ["braking.rs", "braking.tsv", "judges.rs", "mod.rs"].map(|name| format!("kernels/src/generated/{name}"))
+    {
+        let (_folder, project) = made();
+        fs::remove_file(project.join(&file)).unwrap();
+        let said = fails(&project, &["check"]);
+        assert!(said.contains(&format!("missing: {file}")), "{said}");
+    }
     let (_folder, project) = made();
-    fs::remove_file(project.join(GENERATED)).unwrap();
-    assert!(fails(&project, &["check"]).contains("missing: kernels/src/generated/braking.rs"));
+    fs::remove_file(project.join("maxima-ref/braking.mac")).unwrap();
+    for check in [&["check"][..], &["check", "--maxima"]] {
+        assert!(fails(&project, check).contains("not there: put it back, or delete"), "{check:?}");
+    }
     let (_folder, project) = made();
     fs::write(project.join("maxima-ref/more.mac"), "half(x) := x/2$").unwrap();
     assert!(fails(&project, &["check"]).contains("missing: kernels/src/generated/more.rs"));
@@ -108,16 +117,56 @@ fn a_stamp_is_no_proof() {
     let golden = project.join("maxima-ref/braking.tsv");
     edit(&golden, "8.1917", "8.1918");
     restamp(&golden);
-    assert!(fails(&project, &["check", "--maxima"]).contains("braking.tsv, distance at v0="));
+    let line = fs::read_to_string(&golden).unwrap().lines().position(|line| line.contains("8.1918")).unwrap() + 1;
+    let words = format!("maxima-ref/braking.tsv:{line}: distance at v0=");
+    let said = fails(&project, &["check", "--maxima"]);
+    assert!(said.contains(&words), "`{words}` is not in {said}");
+}
+
+/// A new derivation changes all golden values of its function: some are enough to see that.
+#[test]
+fn few_golden_values_are_told_where_many_changed() {
+    let (_folder, project) = made();
+    edit(&project.join("maxima-ref/braking.mac"), "- a*t", "- 2*a*t");
+    let said = fails(&project, &["check", "--maxima"]);
+    assert_eq!(said.matches(": distance at v0=").count(), 3, "{said}");
+    for words in
+        ["maxima-ref/braking.ref: Maxima derives another `distance`", "more of `distance`", ": safe_speed at d="]
+    {
+        assert!(said.contains(words), "`{words}` is not in {said}");
+    }
+}
+
+#[test]
+fn the_judges_of_a_new_project_find_every_mutant() {
+    let (_folder, project) = made();
+    let said = succeeds(&project, &["mutants"]);
+    assert!(said.lines().any(|line| line.starts_with(" all ")), "{said}");
+    let list = project.join("records/EQUIVALENT.toml");
+    let entry = "[[equivalent]]\nkernel = \"braking::safe_speed\"\nstep = \"result\"\nmistakes = [\"- as +\"]\n";
+    fs::write(&list, format!("{entry}reason = \"..\"\n")).unwrap();
+    let said = fails(&project, &["mutants", "safe_speed", "--points", "10"]);
+    assert!(said.contains("why the results are the same"), "{said}");
+}
+
+#[test]
+fn where_no_project_is_the_way_to_one_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    for command in [&["check"][..], &["generate"], &["derive"], &["list"], &["show", "f"], &["mutants"], &["ledger"]] {
+        let said = fails(folder.path(), command);
+        assert!(said.contains("`closedform new NAME` makes one"), "{command:?}: {said}");
+    }
 }
 
 #[test]
 fn a_stale_project_does_not_build() {
-    let (_folder, project) = made();
-    edit(&project.join("maxima-ref/braking.mac"), "- a*t", "- 2*a*t");
-    let output = cargo(&project, &["build", "--quiet"]);
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(!output.status.success() && said.contains("closedform derive && closedform generate"), "{said}");
+    for (file, old, new) in [("braking.mac", "- a*t", "- 2*a*t"), ("braking.toml", "\"d >= 0\"", "\"d > 0\"")] {
+        let (_folder, project) = made();
+        edit(&project.join("maxima-ref").join(file), old, new);
+        let output = cargo(&project, &["build", "--quiet"]);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(!output.status.success() && said.contains("closedform derive && closedform generate"), "{said}");
+    }
 }
 
 #[test]

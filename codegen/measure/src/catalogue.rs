@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 pub use entry::{DomainError, Entry, maxima_name, unit_of};
-pub use error::CatalogueError;
+pub use error::{CatalogueError, did_you_mean};
 pub use nearest::nearest;
 
 use closedform_project::{Project, ReadError};

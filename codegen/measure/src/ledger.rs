@@ -164,8 +164,7 @@ pub fn path(records: &Path) -> PathBuf {
 
 fn write(records: &Path, text: &str) -> io::Result<()> {
     fs::create_dir_all(records)?;
-    let file = scratch::beside(&path(records))?;
-    fs::write(file.path(), text)?;
+    let file = scratch::beside(&path(records), text)?;
     file.persist(path(records)).map_err(|error| error.error)?;
     Ok(())
 }

@@ -2,9 +2,9 @@
 
 use std::fs;
 use std::io::ErrorKind;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use serde::Deserialize;
+use serde::de::{Deserialize, Deserializer, Error as _};
 
 use super::error::MutateError;
 use super::exam::Outcome;
@@ -16,7 +16,7 @@ use closedform_project::ReadError;
 const FILE: &str = "EQUIVALENT.toml";
 
 /// The list.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Equivalents {
     #[serde(default)]
@@ -24,7 +24,7 @@ pub struct Equivalents {
 }
 
 /// Mutants of one step that are the same function for one reason.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Entry {
     kernel: String,
@@ -33,7 +33,15 @@ struct Entry {
     /// Whether they leave branches out that are never taken: mutants of these are the same function too.
     #[serde(default)]
     unreached: bool,
+    #[serde(deserialize_with = "reason")]
     reason: String,
+}
+
+/// Words: what nobody has given a reason for is not on the list.
+fn reason<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
+    let reason = String::deserialize(deserializer)?;
+    let has_words = reason.contains(char::is_alphabetic);
+    if has_words { Ok(reason) } else { Err(D::Error::custom("write down why the results are the same")) }
 }
 
 impl Entry {
@@ -57,13 +65,19 @@ pub struct Unneeded {
 }
 
 impl Equivalents {
+    /// Where the list is among the records of a project.
+    #[must_use]
+    pub fn path(records: &Path) -> PathBuf {
+        records.join(FILE)
+    }
+
     /// The list among the records of a project; empty where they have none.
     ///
     /// # Errors
     ///
     /// When it cannot be read.
     pub fn load(records: &Path) -> Result<Self, MutateError> {
-        let path = records.join(FILE);
+        let path = Self::path(records);
         match fs::read_to_string(&path) {
             Ok(text) => Self::parse(&text).map_err(|cause| MutateError::Equivalents { path, cause: cause.into() }),
             Err(cause) if cause.kind() == ErrorKind::NotFound => Ok(Self::default()),
@@ -129,6 +143,14 @@ reason = 'u'
     fn change(step: &str, kind: &str, unreached: bool) -> Change {
         let mistake = Mistake { step: step.to_owned(), kind: Nth::parse(kind) };
         Change { unreached, ..Change::new(1, mistake, String::new(), String::new()) }
+    }
+
+    #[test]
+    fn an_entry_has_a_reason() {
+        for none in ["", "..", " "] {
+            let error = Equivalents::parse(&LIST.replace("reason = 'r'", &format!("reason = '{none}'"))).unwrap_err();
+            assert!(error.message().contains("why the results are the same") && error.span().is_some(), "{error}");
+        }
     }
 
     #[test]

@@ -9,7 +9,8 @@ use rug::Rational;
 const MAX_TERMS: usize = 4096;
 
 /// Whether kernel and mutant promise the same and compute the same function: equal as polynomials in inputs, and in
-/// roots, compensated expressions and reciprocals of what is equal as such.
+/// roots, compensated expressions and reciprocals of what is equal as such; a branch that only an input of zero takes, at
+/// zero.
 pub fn same_function(kernel: &Kernel, mutant: &Kernel) -> bool {
     let forms = Forms::of(kernel);
     forms.is_some() && forms == Forms::of(mutant)
@@ -26,12 +27,12 @@ struct Forms {
 impl Forms {
     /// `None` where a form is not worth its size.
     fn of(kernel: &Kernel) -> Option<Self> {
-        let mut slots = Slots((0..kernel.inputs.len()).map(|slot| Sum::atom(format!("#{slot}"))).collect());
+        let mut slots = Slots::of(kernel);
         let conditions = kernel.requires.iter().map(|require| slots.condition(&require.condition));
         let conditions = conditions.collect::<Option<_>>()?;
         for step in &kernel.lets {
             let value = slots.canonical(&step.value)?;
-            slots.0.push(value);
+            slots.values.push(Some(value));
         }
         let results = kernel.output.values().map(|value| slots.canonical(value)).collect::<Option<_>>()?;
         Some(Forms { bounds: kernel.meta.results.iter().map(|result| result.bound).collect(), conditions, results })
@@ -111,9 +112,55 @@ impl Sum {
 }
 
 /// The canonical forms of inputs and steps.
-struct Slots(Vec<Sum>);
+struct Slots<'a> {
+    kernel: &'a Kernel,
+    /// `None` where a form is not worth its size, or divides by zero.
+    values: Vec<Option<Sum>>,
+    /// How an input stands to zero on the whole domain, where the domain says it.
+    signs: Vec<Option<Relation>>,
+}
 
-impl Slots {
+impl<'a> Slots<'a> {
+    /// Those of the inputs.
+    fn of(kernel: &'a Kernel) -> Self {
+        let count = kernel.inputs.len();
+        let mut signs = vec![None; count];
+        for require in &kernel.requires {
+            if let Some((slot, op)) = against_zero(&require.condition).filter(|(slot, _)| *slot < count) {
+                signs[slot] = Some(op);
+            }
+        }
+        let values = (0..count).map(|slot| Some(Sum::atom(format!("#{slot}")))).collect();
+        Self { kernel, values, signs }
+    }
+
+    /// These where an input is zero.
+    fn at_zero(&self, input: usize) -> Self {
+        let mut zero = Self { signs: self.signs.clone(), ..Self::of(self.kernel) };
+        zero.values = self.values[..self.kernel.inputs.len()].to_vec();
+        zero.values[input] = Some(Sum::default());
+        for step in &self.kernel.lets[..self.values.len() - self.kernel.inputs.len()] {
+            let value = zero.canonical(&step.value);
+            zero.values.push(value);
+        }
+        zero
+    }
+
+    /// The input that is zero on the domain where a condition holds.
+    fn zero_where(&self, condition: &Condition) -> Option<usize> {
+        let (slot, op) = against_zero(condition)?;
+        let sign = *self.signs.get(slot)?;
+        let touches = matches!(op, Relation::LessOrEqual | Relation::GreaterOrEqual);
+        let is_opposite = touches && sign.is_some_and(|sign| sign.is_below() != op.is_below());
+        (op == Relation::Equal || is_opposite).then_some(slot)
+    }
+
+    /// A branch under its condition, whose canonical form is given: at zero where only zero takes it.
+    fn branch(&self, condition: &Condition, value: &Expr) -> Option<String> {
+        let at_zero = self.zero_where(condition).and_then(|input| self.at_zero(input).text(value));
+        at_zero.map(|text| format!("at zero {text}")).or_else(|| self.text(value))
+    }
+
     fn text(&self, expr: &Expr) -> Option<String> {
         self.canonical(expr).map(|sum| sum.to_text())
     }
@@ -121,7 +168,7 @@ impl Slots {
     fn canonical(&self, expr: &Expr) -> Option<Sum> {
         match expr {
             Expr::Literal { value, .. } => Rational::from_f64(*value).map(Sum::number),
-            Expr::Name(name) => self.0.get(name.slot).cloned(),
+            Expr::Name(name) => self.values.get(name.slot).cloned().flatten(),
             Expr::Pi(_) => Some(Sum::atom("pi".to_owned())),
             Expr::Neg(inner) => self.canonical(inner).map(Sum::negated),
             Expr::Binary { op, left, right } => {
@@ -133,16 +180,22 @@ impl Slots {
                     BinaryOp::Div => left.times(&right.reciprocal()?),
                 }
             }
-            Expr::Call(function, inner) => match **inner {
-                Expr::Literal { value, .. } if function.is_power() && (value == 0.0 || value == 1.0) => {
-                    self.canonical(inner)
+            Expr::Call(function, inner) => {
+                let value = self.canonical(inner)?;
+                let is_fixed = value == Sum::default() || value == Sum::number(Rational::from(1));
+                let is_fixed = function.is_power() && is_fixed;
+                if is_fixed {
+                    Some(value)
+                } else {
+                    Some(called(function.name(), value, function.is_odd(), function.is_even()))
                 }
-                _ => self.called(function.name(), inner, function.is_odd(), function.is_even()),
-            },
-            Expr::Compensated(expression) => self.called("compensated", &expression.value, true, false),
-            Expr::Residual(inner) => self.called("residual", inner, true, false),
+            }
+            Expr::Compensated(expression) => {
+                Some(called("compensated", self.canonical(&expression.value)?, true, false))
+            }
+            Expr::Residual(inner) => Some(called("residual", self.canonical(inner)?, true, false)),
             Expr::If { condition, then, otherwise } => {
-                let parts = [self.condition(condition)?, self.text(then)?, self.text(otherwise)?];
+                let parts = [self.condition(condition)?, self.branch(condition, then)?, self.text(otherwise)?];
                 Some(Sum::atom(format!("if{parts:?}")))
             }
             Expr::Extreme { largest, items } => {
@@ -157,15 +210,6 @@ impl Slots {
         }
     }
 
-    /// A function, which may be odd or even.
-    fn called(&self, name: &str, inner: &Expr, odd: bool, even: bool) -> Option<Sum> {
-        let inner = self.canonical(inner)?;
-        let turned = (odd || even) && inner.0.values().next().is_some_and(|first| *first < 0);
-        let inner = if turned { inner.negated() } else { inner };
-        let value = Sum::atom(format!("{name}{}", inner.to_text()));
-        Some(if turned && odd { value.negated() } else { value })
-    }
-
     fn condition(&self, condition: &Condition) -> Option<String> {
         let joined = |name: &str, left: &Condition, right: &Condition| {
             let mut parts = [self.condition(left)?, self.condition(right)?];
@@ -173,6 +217,9 @@ impl Slots {
             Some(format!("{name}{parts:?}"))
         };
         match condition {
+            Condition::Compare { left, right, .. } if self.zero_where(condition).is_some() => {
+                self.compared(Relation::Equal, left, right)
+            }
             Condition::Compare { op, left, right } => self.compared(*op, left, right),
             Condition::And(left, right) => joined("and", left, right),
             Condition::Or(left, right) => joined("or", left, right),
@@ -186,5 +233,23 @@ impl Slots {
         let turned = op.is_above() || op == op.mirrored() && left > right;
         let (left, op, right) = if turned { (right, op.mirrored(), left) } else { (left, op, right) };
         Some(format!("{left}{}{right}", op.rust()))
+    }
+}
+
+/// A function, which may be odd or even.
+fn called(name: &str, inner: Sum, odd: bool, even: bool) -> Sum {
+    let turned = (odd || even) && inner.0.values().next().is_some_and(|first| *first < 0);
+    let inner = if turned { inner.negated() } else { inner };
+    let value = Sum::atom(format!("{name}{}", inner.to_text()));
+    if turned && odd { value.negated() } else { value }
+}
+
+/// The slot that a condition compares with zero, and how.
+fn against_zero(condition: &Condition) -> Option<(usize, Relation)> {
+    let Condition::Compare { op, left, right } = condition else { return None };
+    match (left, right) {
+        (Expr::Name(name), Expr::Literal { value: 0.0, .. }) => Some((name.slot, *op)),
+        (Expr::Literal { value: 0.0, .. }, Expr::Name(name)) => Some((name.slot, op.mirrored())),
+        _ => None,
     }
 }

@@ -97,6 +97,26 @@ fn what_is_the_same_function_is_proved() {
     assert_eq!(survivors(&judged), [""; 0]);
 }
 
+/// `a <= 0` is `a = 0` on a domain of `a >= 0`, and what that branch holds is compared there.
+#[test]
+fn branches_that_only_zero_takes_are_compared_at_zero() {
+    let (_folder, catalogue) = kernel(
+        "maxima = \"f(a,b):=if a<=0 then sqrt(b)-a else b\", bound = 3.0",
+        "#[input(unit = \"m\", typical(0.5, 10.0))] a: f64, #[input(unit = \"m\", typical(0.5, 10.0))] b: f64",
+        "require!(a >= 0.0, \"a >= 0\");\nrequire!(b >= 1.0, \"b >= 1\");\nlet half = a * b;\nif a <= 0.0 { sqrt(b) - half } else { b }",
+    );
+    let kernel = &catalogue.entries()[0].kernel;
+    let same = mutants(kernel).into_iter().filter(|mutant| same::same_function(kernel, &mutant.kernel));
+    let same: Vec<String> = same.map(|mutant| mutant.change.mistake.to_string()).collect();
+    let of_result = |kind: &str| same.contains(&format!("result, {kind}"));
+    for kind in ["<= as ==", "- as +", "first operand alone", "name as its root #2"] {
+        assert!(of_result(kind), "{kind}: {same:?}");
+    }
+    for kind in ["second operand alone", "first branch alone", "second branch alone", "<= as >="] {
+        assert!(!of_result(kind), "{kind}: {same:?}");
+    }
+}
+
 #[test]
 fn a_wrong_kernel_is_guilty_itself() {
     let (_folder, catalogue) = fixture::catalogue();

@@ -219,7 +219,7 @@ fn stem(file: &Path) -> String {
 /// The files of a folder with one of these endings, by their names and in the order of the endings.
 fn files(folder: &Path, endings: &[&str]) -> Result<Vec<PathBuf>, ReadError> {
     let unreadable = |cause| {
-        let remedy = "name the folder that holds worksheets and contracts".to_owned();
+        let remedy = "go to a project, or name one with --root; `closedform new NAME` makes one".to_owned();
         ReadError { path: folder.to_owned(), cause, remedy }
     };
     let mut files = Vec::new();

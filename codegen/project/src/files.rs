@@ -1,6 +1,5 @@
 //! Files written all or none: each beside its target first, then renamed.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use closedform_build::is_marked;
@@ -60,8 +59,7 @@ pub fn write_all(files: &[(&Path, &str)]) -> Result<(), WriteError> {
 }
 
 fn beside(path: &Path, text: &str) -> std::io::Result<NamedTempFile> {
-    let mut file = scratch::beside(path)?;
-    file.write_all(text.as_bytes())?;
+    let file = scratch::beside(path, text)?;
     if let Ok(replaced) = std::fs::metadata(path) {
         file.as_file().set_permissions(replaced.permissions())?;
     }

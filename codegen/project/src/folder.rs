@@ -6,7 +6,7 @@ use closedform_system::scratch;
 use similar::TextDiff;
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// How a file differs from what it should be.
@@ -116,9 +116,7 @@ pub fn write(folder: &Path, files: &BTreeMap<String, String>) -> io::Result<usiz
     let mut pending = Vec::new();
     for difference in &compare(folder, files)? {
         if let Difference::Stale(name, _) | Difference::Missing(name) = difference {
-            let mut file = scratch::beside(&folder.join(name))?;
-            file.write_all(files[name].as_bytes())?;
-            pending.push((file, name.clone()));
+            pending.push((scratch::beside(&folder.join(name), &files[name])?, name.clone()));
         }
     }
     let changed = pending.len();

@@ -35,7 +35,9 @@ impl Script {
     ///
     /// When it cannot be read, is no text, or no document of wxMaxima.
     pub fn load(path: &Path) -> Result<Self, ScriptError> {
-        let remedy = "name a worksheet: a Maxima text (.mac, .dem), or what wxMaxima saves (.wxm, .wxmx)".to_owned();
+        let remedy =
+            "name a worksheet: a Maxima text (.mac, .dem), what wxMaxima saves (.wxm, .wxmx), or FPCores (.fpcore)"
+                .to_owned();
         let unreadable = |cause| ReadError { path: path.to_owned(), cause, remedy };
         let mut bytes = Vec::new();
         let read = File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes));

@@ -1,7 +1,7 @@
 //! Temporary files and folders that bear our name and a lock, so that those of a killed command are known and removed.
 
 use std::fs::{self, File, Permissions};
-use std::io;
+use std::io::{self, Write};
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -57,11 +57,12 @@ impl Folder {
     }
 }
 
-/// A temporary file in the folder of `path`, to be moved there in one step; as any new file, for everybody to read.
+/// A temporary file that holds a text, in the folder of `path`, to be moved there in one step; as any new file, for
+/// everybody to read.
 ///
 /// # Errors
-/// When it cannot be made.
-pub fn beside(path: &Path) -> io::Result<NamedTempFile> {
+/// When it cannot be made, or there is no room.
+pub fn beside(path: &Path, text: &str) -> io::Result<NamedTempFile> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     sweep(folder, FILE, |path| {
         if is_left(path) {
@@ -71,9 +72,16 @@ pub fn beside(path: &Path) -> io::Result<NamedTempFile> {
     let readable = Permissions::from_mode(0o666); // less what the user's umask takes
     let mut builder = Builder::new();
     builder.prefix(FILE[0]).suffix(FILE[1]).rand_bytes(CHOSEN).permissions(readable);
-    let file = builder.tempfile_in(folder)?;
+    let mut file = builder.tempfile_in(folder).map_err(without_its_name)?;
     _ = file.as_file().try_lock(); // as above
+    file.as_file_mut().write_all(text.as_bytes())?;
     Ok(file)
+}
+
+/// What the system said, without the name of a temporary file: whoever reads it knows the one that it stands for.
+fn without_its_name(error: io::Error) -> io::Error {
+    let (said, kind) = (error.to_string(), error.kind());
+    said.split_once(" at path \"").map_or(error, |(said, _)| io::Error::new(kind, said.to_owned()))
 }
 
 /// Shows everything in a folder that bears such a name. What cannot be read is left alone: it is no reason to stop.
@@ -110,6 +118,13 @@ mod tests {
     }
 
     #[test]
+    fn what_cannot_be_made_is_told_without_temporary_names() {
+        let folder = tempfile::tempdir().unwrap();
+        let error = beside(&folder.path().join("nowhere/table.csv"), "a\n").unwrap_err();
+        assert_eq!(error.to_string(), io::Error::from_raw_os_error(2).to_string());
+    }
+
+    #[test]
     fn only_what_a_killed_command_left_is_removed() {
         let parent = tempfile::tempdir().unwrap();
         let at = |name: &str| parent.path().join(name);
@@ -126,7 +141,7 @@ mod tests {
             (path, file)
         });
         let folder = Folder::within(parent.path()).unwrap();
-        let file = beside(&at("table.csv")).unwrap();
+        let file = beside(&at("table.csv"), "a\n").unwrap();
         assert!(left.iter().all(|path| !path.exists()) && !at("closedform-aB3dE6.run").exists());
         assert!(kept.iter().all(|name| at(name).exists()) && at(".closedform-young6.part").exists());
         assert!(used.iter().all(|(path, _)| path.exists()));

@@ -62,7 +62,7 @@ pub enum ExportError {
         /// Counted from 1.
         row: u64,
     },
-    /// The file system.
-    #[error("{0}")]
+    /// The file system, which did not take it.
+    #[error("{0}: make room, and get the right to write there")]
     Io(#[from] std::io::Error),
 }

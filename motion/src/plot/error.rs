@@ -28,8 +28,8 @@ pub enum PlotError {
         /// What is the matter with it.
         why: String,
     },
-    /// The file system.
-    #[error("{0}")]
+    /// The file system, which did not take it.
+    #[error("{0}: make room, and get the right to write there")]
     Io(#[from] std::io::Error),
 }
 

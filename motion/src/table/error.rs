@@ -90,7 +90,7 @@ pub enum TableError {
     /// Not CSV.
     #[error("not a table in CSV: {0}")]
     Csv(#[from] csv::Error),
-    /// The file system.
-    #[error("{0}")]
+    /// The file system, which did not take it.
+    #[error("{0}: make room, and get the right to write there")]
     Io(#[from] std::io::Error),
 }

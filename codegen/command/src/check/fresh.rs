@@ -1,7 +1,7 @@
 //! Freshness: by the stamps that generated files carry, or by generating them again.
 
 use super::error::CheckError;
-use crate::own_crate::Draft;
+use crate::own_crate::{self, Draft};
 use crate::worker::{self, Source};
 use closedform_build::{Stale, stale};
 use closedform_project::Project;
@@ -26,8 +26,8 @@ pub fn check(project: &Project) -> miette::Result<Vec<Family>> {
         return Err(CheckError::Underived(said(derived)).into());
     }
     let families = families(&project.worksheets)?;
-    let wanted: BTreeSet<String> = families.iter().map(|family| format!("{}.rs", family.name)).collect();
-    let present = modules(project)?;
+    let wanted = own_crate::names(families.iter().map(|family| family.name.as_str()), project.judges);
+    let present: BTreeSet<String> = folder::generated(&project.generated()).into_diagnostic()?.into_iter().collect();
     let missing = wanted.difference(&present).map(|name| format!("missing: {}", in_folder(project, name)));
     let orphans = present.difference(&wanted).map(|name| format!("made by nothing: {}", in_folder(project, name)));
     let wrong: Vec<String> = said(generated).into_iter().chain(missing).chain(orphans).collect();
@@ -50,15 +50,6 @@ pub fn regenerate(project: &Project) -> miette::Result<()> {
 /// With paths as one reads them from the root.
 fn shown(project: &Project, stale: &Stale) -> String {
     stale.to_string().replace(&format!("{}{MAIN_SEPARATOR}", project.root.display()), "")
-}
-
-/// The modules of kernels in the generated folder.
-fn modules(project: &Project) -> miette::Result<BTreeSet<String>> {
-    let sources = folder::generated(&project.generated()).into_diagnostic()?;
-    Ok(sources
-        .into_iter()
-        .filter(|name| name.ends_with(".rs") && !["mod.rs", "judges.rs"].contains(&&**name))
-        .collect())
 }
 
 fn describe(project: &Project, difference: &Difference) -> String {

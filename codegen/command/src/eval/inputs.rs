@@ -29,12 +29,12 @@ pub enum InputMistake {
     Form(String),
     /// No such input.
     #[error("no input is called `{name}`")]
-    #[diagnostic(help("did you mean `{nearest}`?"))]
+    #[diagnostic(help("{}", nearest.as_ref().map_or("leave it out".to_owned(), |name| format!("did you mean `{name}`?"))))]
     Unknown {
         /// The name.
         name: String,
-        /// An input.
-        nearest: String,
+        /// An input of nearly this name.
+        nearest: Option<String>,
     },
     /// Two values.
     #[error("the input `{0}` is given twice")]
@@ -141,7 +141,7 @@ fn unknown(entry: &Entry, name: &str) -> InputMistake {
     let spellings = entry.kernel.inputs.iter().flat_map(|input| {
         [input.name.to_string(), maxima_name(input)].map(|spelling| (spelling, input.name.to_string()))
     });
-    let nearest = nearest(name, spellings).into_iter().next().unwrap_or_default();
+    let nearest = nearest(name, spellings).into_iter().next();
     InputMistake::Unknown { name: name.to_owned(), nearest }
 }
 

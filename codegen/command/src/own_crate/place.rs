@@ -151,8 +151,7 @@ pub(super) fn create(out: &Path, name: &str, text: &str) -> Result<(), OwnCrateE
     let path = out.join(name);
     let folder = path.parent().unwrap_or(out);
     let written = fs::create_dir_all(folder).and_then(|()| {
-        let mut file = closedform_system::scratch::beside(&path)?;
-        file.write_all(text.as_bytes())?;
+        let file = closedform_system::scratch::beside(&path, text)?;
         match file.persist_noclobber(&path) {
             Err(error) if error.error.kind() != io::ErrorKind::AlreadyExists => Err(error.error),
             _ => Ok(()),

@@ -85,9 +85,8 @@ fn holds(worst: Option<&Worst>, bound: Option<f64>) -> bool {
 
 /// The table of all rows.
 pub fn text(rows: &[Row], seed: u64) -> String {
-    let mut table =
-        crate::columns::table(["kernel", "result", "points", "beyond", "kept", "worst ulp", "bound", "worst inputs"]);
-    table.add_rows(rows.iter().map(Row::cells));
+    let header = ["kernel", "result", "points", "beyond", "kept", "worst ulp", "bound", "worst inputs"];
+    let table = crate::columns::table(header, rows.iter().map(Row::cells));
     let mut text = format!("{table}\nseed {seed}\n");
     if rows.iter().any(|row| row.beyond > 0) {
         text += "beyond: points that bounds do not cover, because a result over- or underflows\n";

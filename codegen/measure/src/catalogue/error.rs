@@ -27,7 +27,8 @@ pub enum CatalogueError {
     /// Nothing was generated yet.
     #[error("no kernels below {}", root.display())]
     #[diagnostic(help(
-        "run `closedform generate`, for a worksheet alone with `--input NAME.mac --out DIR`; or name the project with --root"
+        "run `closedform generate` in a project, or name one with --root; `closedform new NAME` makes one, and `closedform generate \
+         --input NAME.mac --out DIR` a crate of a worksheet alone"
     ))]
     NoKernels {
         /// Where they were looked for.
@@ -58,6 +59,9 @@ fn messages(cause: &syn::Error) -> String {
     messages.join("; ")
 }
 
-fn did_you_mean(nearest: &[String]) -> String {
-    format!("did you mean {}? `closedform list` names all kernels", nearest.join(", "))
+/// What to say of a name that is none, by those nearest to it.
+#[must_use]
+pub fn did_you_mean(nearest: &[String]) -> String {
+    let meant = if nearest.is_empty() { String::new() } else { format!("did you mean {}? ", nearest.join(", ")) };
+    format!("{meant}`closedform list` names all kernels")
 }

@@ -3,10 +3,14 @@
 /// How many names are worth suggesting.
 const COUNT: usize = 3;
 
-/// The names nearest to `wanted`, nearest first; each comes with a spelling that is compared.
+/// The names nearest to `wanted`, nearest first; each comes with a spelling that is compared. What shares less than half of
+/// its letters is not near.
 pub fn nearest(wanted: &str, spellings: impl IntoIterator<Item = (String, String)>) -> Vec<String> {
-    let mut ranked: Vec<(usize, String)> =
-        spellings.into_iter().map(|(spelling, name)| (distance(wanted, &spelling), name)).collect();
+    let ranked = spellings.into_iter().filter_map(|(spelling, name)| {
+        let (distance, longest) = (distance(wanted, &spelling), wanted.chars().count().max(spelling.chars().count()));
+        (2 * distance <= longest).then_some((distance, name))
+    });
+    let mut ranked: Vec<(usize, String)> = ranked.collect();
     ranked.sort();
     let mut names: Vec<String> = Vec::new();
     for (_, name) in ranked {
@@ -49,6 +53,7 @@ mod tests {
         let spellings =
             [("t_in", "a::t_in"), ("a::t_in", "a::t_in"), ("t_out", "a::t_out"), ("x", "b::x"), ("y", "b::y")];
         let spellings = spellings.map(|(spelling, name)| (spelling.to_owned(), name.to_owned()));
-        assert_eq!(nearest("t_i", spellings), ["a::t_in", "a::t_out", "b::x"]);
+        assert_eq!(nearest("t_ou", spellings.clone()), ["a::t_out", "a::t_in"]);
+        assert_eq!(nearest("quartic_root", spellings), [""; 0]);
     }
 }

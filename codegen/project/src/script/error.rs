@@ -18,7 +18,9 @@ pub enum ScriptError {
     Read(#[from] ReadError),
     /// The file is larger than any worksheet.
     #[error("{} has more than {most} MiB: it is no worksheet", path.display())]
-    #[diagnostic(help("name a worksheet: a Maxima text (.mac, .dem), or what wxMaxima saves (.wxm, .wxmx)"))]
+    #[diagnostic(help(
+        "name a worksheet: a Maxima text (.mac, .dem), what wxMaxima saves (.wxm, .wxmx), or FPCores (.fpcore)"
+    ))]
     TooLarge {
         /// The file.
         path: PathBuf,
@@ -27,7 +29,9 @@ pub enum ScriptError {
     },
     /// The file is no text.
     #[error("{} is no text", path.display())]
-    #[diagnostic(help("name a worksheet: a Maxima text (.mac, .dem), or what wxMaxima saves (.wxm, .wxmx)"))]
+    #[diagnostic(help(
+        "name a worksheet: a Maxima text (.mac, .dem), what wxMaxima saves (.wxm, .wxmx), or FPCores (.fpcore)"
+    ))]
     NoText {
         /// The file.
         path: PathBuf,

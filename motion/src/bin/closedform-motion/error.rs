@@ -34,7 +34,10 @@ impl From<std::io::Error> for Failure {
 
 impl From<PlanError> for Failure {
     fn from(error: PlanError) -> Self {
-        Self(error.to_string())
+        // what it is about is a field, whose flag has dashes
+        let said = error.to_string();
+        let (about, is) = said.split_at(said.find(" is ").unwrap_or(0));
+        Self(about.replace('_', "-") + is)
     }
 }
 

@@ -61,7 +61,7 @@ impl Inputs {
             delta_x: need(self.delta_x, "delta-x", "the whole travel in m")?,
             ki: need(self.ki, "ki", "twice the travel of the first segment, as a fraction of the whole,")?,
             given,
-            limits: limits(self.v_max, self.a_max, self.j_max),
+            limits: limits("", self.v_max, self.a_max, self.j_max)?,
         })
     }
 }

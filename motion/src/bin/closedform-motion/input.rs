@@ -27,7 +27,8 @@ fn read<T: Serialize + DeserializeOwned>(path: &Path) -> Outcome<toml::Table> {
     let wrong = |error: toml::de::Error| {
         let before = error.span().map_or("", |span| text.get(..span.start).unwrap_or_default());
         let (line, message) = (before.matches('\n').count() + 1, error.message().trim().replace('\n', " "));
-        Failure(format!("line {line}: {message}: use the names and values of the flags")).at(path)
+        let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
+        Failure(format!("line {line}, column {column}: {message}: use the names and values of the flags")).at(path)
     };
     // An alias becomes the name that it stands for.
     let inputs = toml::from_str::<T>(text).map_err(wrong)?;

@@ -2,10 +2,21 @@
 
 use closedform_motion::{AxisPeaks, Limits, Motion, Peak};
 
-/// Limits of flags: none where none is given.
-pub fn limits(velocity: Option<f64>, acceleration: Option<f64>, jerk: Option<f64>) -> Limits {
-    let or_none = |limit: Option<f64>| limit.unwrap_or(f64::INFINITY);
-    Limits { velocity: or_none(velocity), acceleration: or_none(acceleration), jerk: or_none(jerk) }
+use crate::error::{Failure, Outcome};
+
+/// Limits of the flags `v-max`, `a-max` and `j-max`, behind what their names begin with: none where none is given.
+pub fn limits(prefix: &str, velocity: Option<f64>, acceleration: Option<f64>, jerk: Option<f64>) -> Outcome<Limits> {
+    let or_none = |name: &str, limit: Option<f64>| match limit {
+        Some(limit) if limit.is_nan() || limit <= 0.0 => {
+            Err(Failure(format!("{prefix}{name} is {limit}: give a positive limit, or leave it out for none")))
+        }
+        limit => Ok(limit.unwrap_or(f64::INFINITY)),
+    };
+    Ok(Limits {
+        velocity: or_none("v-max", velocity)?,
+        acceleration: or_none("a-max", acceleration)?,
+        jerk: or_none("j-max", jerk)?,
+    })
 }
 
 /// Which limits a motion comes to, for people.

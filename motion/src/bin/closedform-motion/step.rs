@@ -69,7 +69,7 @@ pub struct Inputs {
 impl Inputs {
     fn step(&self) -> Outcome<StepMove> {
         let travel = need(self.travel, "travel", "the whole travel in m")?;
-        Ok(StepMove { travel, shape: self.shape()?, limits: limits(self.v_max, self.a_max, self.j_max) })
+        Ok(StepMove { travel, shape: self.shape()?, limits: limits("", self.v_max, self.a_max, self.j_max)? })
     }
 
     fn shape(&self) -> Outcome<StepShape> {
@@ -107,9 +107,17 @@ impl Inputs {
         self.shape.map_or(letters.iter().any(Option::is_some), |shape| shape == Shape::Derivation)
     }
 
+    fn travel(&self) -> Outcome<f64> {
+        let travel = need(self.travel, "travel", "the whole travel in m")?;
+        if travel != 0.0 && travel.is_finite() {
+            return Ok(travel);
+        }
+        Err(Failure(format!("travel is {travel}: give a finite number other than 0")))
+    }
+
     fn limits(&self) -> Outcome<Limits> {
-        let found = limits(self.v_max, self.a_max, self.j_max);
-        if found.acceleration.min(found.jerk).is_finite() || found.acceleration.is_nan() {
+        let found = limits("", self.v_max, self.a_max, self.j_max)?;
+        if found.acceleration.min(found.jerk).is_finite() {
             return Ok(found);
         }
         let message = "the step has no limit: give --a-max, --j-max, or both, in m/s² and m/s³ (or the letters of the \
@@ -120,7 +128,7 @@ impl Inputs {
 
 /// In the least time, or stretched.
 fn fastest(inputs: &Inputs, output: &Output) -> Outcome<()> {
-    let travel = need(inputs.travel, "travel", "the whole travel in m")?;
+    let travel = inputs.travel()?;
     let limits = inputs.limits()?;
     let fastest = Fastest::new(State::rest(0.0), State::rest(travel), limits)?;
     let plan = inputs.time.map_or(Ok(fastest), |time| fastest.stretched(time))?;

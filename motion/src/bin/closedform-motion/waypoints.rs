@@ -111,7 +111,8 @@ impl Inputs {
             return Err(Failure(message.to_owned()));
         }
         let of = |list: &[f64], axis: usize| list.get(axis).or(list.first()).copied();
-        Ok((0..count).map(|axis| limits(of(&self.v_max, axis), of(&self.a_max, axis), of(&self.j_max, axis))).collect())
+        let limits = |axis| limits("", of(&self.v_max, axis), of(&self.a_max, axis), of(&self.j_max, axis));
+        (0..count).map(limits).collect()
     }
 
     /// A file of points that a file names lies beside it.
