@@ -1,7 +1,9 @@
 //! Expressions to MPFR numbers.
 
+mod enclosure;
 mod error;
 mod function;
+mod interval;
 mod notes;
 mod power;
 mod root;

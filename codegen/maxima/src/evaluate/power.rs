@@ -52,7 +52,7 @@ fn rational_power(scope: &Scope, value: Float, exponent: &BigRational, base: &Ex
 }
 
 /// The value of an exponent that is written with integers, signs and quotients only.
-fn constant(expression: &Expr) -> Option<BigRational> {
+pub(super) fn constant(expression: &Expr) -> Option<BigRational> {
     match &expression.kind {
         ExprKind::Integer(value) => Some(BigRational::from_integer(value.clone())),
         ExprKind::Unary { operator: UnaryOperator::Minus, operand } => Some(-constant(operand)?),

@@ -6,8 +6,10 @@ use rug::Float;
 
 use crate::ast::Expr;
 
+use super::enclosure::enclosure;
 use super::error::EvalError;
 use super::evaluate_noting;
+use super::interval::Unknown;
 use super::notes::Notes;
 
 /// The highest precision that is tried, in bits.
@@ -21,7 +23,8 @@ const NOISE_COUNT: u32 = 3;
 
 /// The value of the expression at exactly these inputs, the first `bits` bits of which are right.
 ///
-/// The precision doubles until two results in a row agree to `bits` bits, or until the result is zero: exactly, twice, or
+/// The precision doubles until the value lies between two numbers that share these bits. Where it never does, as where it is zero, or
+/// depends on which of two equal numbers is larger, it is what precision after precision agrees on: then the precision doubles until two results in a row agree to `bits` bits, or until the result is zero: exactly, twice, or
 /// nothing but rounding noise that shrinks as the precision grows. A number that is as near to a step of `floor` and the like, or to one
 /// that it is compared with, however high the precision, is the number there. It starts the higher, the farther the magnitudes of the
 /// inputs lie apart, and those of functions such as `exp` from 1, lest a small number is lost beside a large one at two precisions
@@ -34,10 +37,36 @@ const NOISE_COUNT: u32 = 3;
 pub fn evaluate_stable(expression: &Expr, inputs: &BTreeMap<String, f64>, bits: u32) -> Result<Float, EvalError> {
     let exact: BTreeMap<String, Float> =
         inputs.iter().map(|(name, value)| (name.clone(), Float::with_val(f64::MANTISSA_DIGITS, value))).collect();
-    let (low, high) = exponents(&exact);
+    match enclosed(expression, &exact, bits) {
+        Some(value) => Ok(value),
+        None => agreed(expression, &exact, bits),
+    }
+}
+
+/// The value, if it can be told from all others to so many bits.
+fn enclosed(expression: &Expr, inputs: &BTreeMap<String, Float>, bits: u32) -> Option<Float> {
+    let mut precision = first_precision(bits, 0);
+    while precision <= PRECISION_LIMIT {
+        match enclosure(expression, inputs, precision) {
+            Ok(interval) => {
+                if let Some(value) = interval.value(bits) {
+                    return Some(value);
+                }
+            }
+            Err(Unknown::Undecided) => {}
+            Err(Unknown::Unsupported) => return None,
+        }
+        precision *= 2;
+    }
+    None
+}
+
+/// The value on which precision after precision agrees.
+fn agreed(expression: &Expr, exact: &BTreeMap<String, Float>, bits: u32) -> Result<Float, EvalError> {
+    let (low, high) = exponents(exact);
     let spread = low.abs_diff(high);
     let mut precision = first_precision(bits, spread);
-    let evaluated = |precision| Evaluated::of(expression, &exact, low, precision);
+    let evaluated = |precision| Evaluated::of(expression, exact, low, precision);
     let mut first = evaluated(precision);
     let reach = first.notes.reach.get();
     if reach > spread {
