@@ -169,7 +169,7 @@ impl Interval {
 
     /// A root of this degree: of an even one, of the numbers that are not negative.
     pub(super) fn root(self, degree: u32) -> Result<Self> {
-        let radicand = if degree % 2 == 0 { self.at_least(0)? } else { self };
+        let radicand = if degree.is_multiple_of(2) { self.at_least(0)? } else { self };
         radicand.increasing(|end| end.root_ref(degree))
     }
 
@@ -270,6 +270,8 @@ impl Interval {
 mod tests {
     use super::*;
 
+    type Named = (&'static str, fn(Float) -> Float);
+
     /// Few bits, so that every rounding shows.
     const COARSE: u32 = 12;
 
@@ -303,7 +305,7 @@ mod tests {
 
     #[test]
     fn values_of_functions_lie_within() {
-        let functions: [(&str, fn(Float) -> Float); 17] = [
+        let functions: [Named; 17] = [
             ("sqrt", Float::sqrt),
             ("abs", Float::abs),
             ("exp", Float::exp),
