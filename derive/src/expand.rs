@@ -89,7 +89,7 @@ impl Parts<'_> {
         let (k, table) = (self.kernel.requires.len(), table::table(self.kernel));
         let all = program::inputs();
         let fast = info::fast(self.kernel);
-        let of = Ident::new("__of", Span::mixed_site());
+        let [slices, of] = ["__slices", "__of"].map(|name| Ident::new(name, Span::mixed_site()));
         quote! {
             pub(super) struct Program;
 
@@ -118,6 +118,20 @@ impl Parts<'_> {
                 fn each_result<T, U>(#all: [T; #m], mut #of: impl ::core::ops::FnMut(T) -> U) -> [U; #m] {
                     let [#(#results),*] = #all;
                     [#(#of(#results)),*]
+                }
+
+                fn batch(
+                    #all: [&[f64]; #n],
+                    #slices: [&mut [f64]; #m],
+                ) -> ::core::result::Result<(), ::closedform::LengthError> {
+                    ::closedform::__private::batch::<Self, #sizes>(#all, #slices)
+                }
+
+                fn fast_batch(
+                    #all: [&[f64]; #n],
+                    #slices: [&mut [f64]; #m],
+                ) -> ::core::result::Result<(), ::closedform::LengthError> {
+                    ::closedform::__private::fast_batch::<Self, #sizes>(#all, #slices)
                 }
             }
         }

@@ -87,6 +87,7 @@ pub use record::Record;
 /// What expansions of `#[kernel]` call; not for people.
 #[doc(hidden)]
 pub mod __private {
+    pub use crate::batch::{batch, fast_batch};
     pub use crate::fast::{fast, with_bound};
     pub use crate::rows::rows;
     #[cfg(feature = "serde")]

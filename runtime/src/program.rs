@@ -3,7 +3,6 @@
 use closedform_arith::table::Table;
 use closedform_arith::{Real, Signs};
 
-use crate::batch::{batch, fast_batch};
 use crate::error::LengthError;
 use crate::info::Info;
 
@@ -38,20 +37,10 @@ pub trait Program<const N: usize, const K: usize, const M: usize> {
     }
 
     /// The results in `f64` for slices of equal length.
-    fn batch(inputs: [&[f64]; N], results: [&mut [f64]; M]) -> Result<(), LengthError>
-    where
-        Self: Sized,
-    {
-        batch::<Self, N, K, M>(inputs, results)
-    }
+    fn batch(inputs: [&[f64]; N], results: [&mut [f64]; M]) -> Result<(), LengthError>;
 
     /// What [`fast`](crate::Kernel::fast) returns, for slices of equal length.
-    fn fast_batch(inputs: [&[f64]; N], results: [&mut [f64]; M]) -> Result<(), LengthError>
-    where
-        Self: Sized,
-    {
-        fast_batch::<Self, N, K, M>(inputs, results)
-    }
+    fn fast_batch(inputs: [&[f64]; N], results: [&mut [f64]; M]) -> Result<(), LengthError>;
 }
 
 /// The positions of inputs or results.

@@ -14,7 +14,7 @@ use std::cmp::Ordering;
 use super::super::domain::Condition;
 use crate::construct::{binary, compared, integer, joined, squared};
 use crate::expression::is_of_roots;
-use number::number;
+use number::{has_input, number};
 use positive::{is_positive, without_positive_constants};
 use surds::{Clause, Decision};
 
@@ -239,21 +239,6 @@ fn without_odd_power(expr: &Expr) -> &Expr {
             _ => expr,
         },
         _ => expr,
-    }
-}
-
-fn has_input(expr: &Expr) -> bool {
-    match &expr.kind {
-        ExprKind::Symbol(name) => !name.starts_with('%'),
-        ExprKind::Unary { operand, .. } => has_input(operand),
-        ExprKind::Binary { left, right, .. } => has_input(left) || has_input(right),
-        ExprKind::Call { arguments, .. } => arguments.iter().any(has_input),
-        ExprKind::If { branches, otherwise } => {
-            let sides =
-                branches.iter().flat_map(|branch| [&branch.condition, &branch.value]).chain(otherwise.as_deref());
-            sides.into_iter().any(has_input)
-        }
-        _ => false,
     }
 }
 

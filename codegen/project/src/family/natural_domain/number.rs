@@ -1,4 +1,4 @@
-//! Expressions of numbers alone.
+//! Expressions of numbers alone, and those in which an input occurs.
 
 use closedform_maxima::{BinaryOperator, Expr, ExprKind, UnaryOperator, exact};
 use num_rational::BigRational;
@@ -20,5 +20,21 @@ pub(super) fn number(expr: &Expr) -> Option<BigRational> {
             }
         }
         _ => exact::rational(expr).ok(),
+    }
+}
+
+/// Whether an input occurs in an expression.
+pub(super) fn has_input(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Symbol(name) => !name.starts_with('%'),
+        ExprKind::Unary { operand, .. } => has_input(operand),
+        ExprKind::Binary { left, right, .. } => has_input(left) || has_input(right),
+        ExprKind::Call { arguments, .. } => arguments.iter().any(has_input),
+        ExprKind::If { branches, otherwise } => {
+            let sides =
+                branches.iter().flat_map(|branch| [&branch.condition, &branch.value]).chain(otherwise.as_deref());
+            sides.into_iter().any(has_input)
+        }
+        _ => false,
     }
 }

@@ -3,7 +3,7 @@
 use closedform_maxima::{BinaryOperator, Expr, ExprKind};
 use num_traits::Signed;
 
-use super::{has_input, number};
+use super::number::{has_input, number};
 
 /// Whether the form alone tells that an expression is positive.
 pub(super) fn is_positive(expr: &Expr) -> bool {
