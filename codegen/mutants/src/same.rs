@@ -150,8 +150,11 @@ impl<'a> Slots<'a> {
     fn zero_where(&self, condition: &Condition) -> Option<usize> {
         let (slot, op) = against_zero(condition)?;
         let sign = *self.signs.get(slot)?;
-        let touches = matches!(op, Relation::LessOrEqual | Relation::GreaterOrEqual);
-        let is_opposite = touches && sign.is_some_and(|sign| sign.is_below() != op.is_below());
+        let is_opposite = sign.is_some_and(|sign| match op {
+            Relation::LessOrEqual => sign.is_above(),
+            Relation::GreaterOrEqual => sign.is_below(),
+            _ => false,
+        });
         (op == Relation::Equal || is_opposite).then_some(slot)
     }
 

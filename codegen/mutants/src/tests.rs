@@ -117,6 +117,21 @@ fn branches_that_only_zero_takes_are_compared_at_zero() {
     }
 }
 
+/// Numbers below zero take the branch too where zero alone is left out.
+#[test]
+fn branches_that_other_numbers_take_are_not_compared_at_zero() {
+    for domain in ["a != 0.0", "a <= 0.0", "b >= 1.0"] {
+        let (_folder, catalogue) = kernel(
+            "maxima = \"f(a,b):=if a<=0 then b-a else b\", bound = 3.0",
+            "#[input(unit = \"m\", typical(0.5, 10.0))] a: f64, #[input(unit = \"m\", typical(0.5, 10.0))] b: f64",
+            &format!("require!({domain}, \"..\");\nif a <= 0.0 {{ b - a }} else {{ b }}"),
+        );
+        let kernel = &catalogue.entries()[0].kernel;
+        let turned = mutants(kernel).into_iter().find(|mutant| mutant.change.mistake.to_string() == "result, - as +");
+        assert!(!same::same_function(kernel, &turned.expect("a difference to turn").kernel), "{domain}");
+    }
+}
+
 #[test]
 fn a_wrong_kernel_is_guilty_itself() {
     let (_folder, catalogue) = fixture::catalogue();
