@@ -1,5 +1,6 @@
 //! Expressions to MPFR numbers.
 
+mod condition;
 mod enclosure;
 mod error;
 mod function;

@@ -5,14 +5,12 @@ use std::collections::BTreeMap;
 
 use rug::Float;
 
-use crate::ast::{BinaryOperator, Branch, Expr, ExprKind, UnaryOperator};
+use crate::ast::{BinaryOperator, Expr, ExprKind, UnaryOperator};
 use crate::exact;
 
+use super::condition::Comparing;
 use super::interval::{Interval, Result, Unknown};
-use super::{power, step};
-
-/// Angles beyond this power of two are not reduced.
-const LARGEST_ANGLE: i32 = 1 << 16;
+use super::{function, power, step};
 
 /// Two numbers between which the expression has its value at exactly these inputs, computed with so many bits.
 pub(super) fn enclosure(expression: &Expr, inputs: &BTreeMap<String, Float>, precision: u32) -> Result<Interval> {
@@ -53,7 +51,9 @@ impl Enclosing<'_> {
                 Some((name, arguments)) => self.call(name, arguments),
                 None => Err(Unknown::Unsupported),
             },
-            ExprKind::If { branches, otherwise } => self.branch(branches, otherwise.as_deref()),
+            ExprKind::If { branches, otherwise } => {
+                self.value(self.side(branches, otherwise.as_deref())?.ok_or(Unknown::Unsupported)?)
+            }
             _ => Err(Unknown::Unsupported),
         }
     }
@@ -97,7 +97,7 @@ impl Enclosing<'_> {
                 let value = self.value(argument)?;
                 match step::named(name) {
                     Some(function) => value.step(function),
-                    None if value.is_beyond(LARGEST_ANGLE) && matches!(name, "sin" | "cos" | "tan") => {
+                    None if function::is_periodic(name) && value.is_beyond(function::LARGEST_ANGLE) => {
                         Err(Unknown::Unsupported)
                     }
                     None => value.function(name),
@@ -106,33 +106,16 @@ impl Enclosing<'_> {
             _ => Err(Unknown::Unsupported),
         }
     }
+}
 
-    fn branch(&self, branches: &[Branch], otherwise: Option<&Expr>) -> Result<Interval> {
-        for branch in branches {
-            if self.holds(&branch.condition)? {
-                return self.value(&branch.value);
-            }
-        }
-        self.value(otherwise.ok_or(Unknown::Unsupported)?)
+impl Comparing for Enclosing<'_> {
+    type Error = Unknown;
+
+    fn order(&self, _: &Expr, left: &Expr, right: &Expr) -> Result<Ordering> {
+        self.value(left)?.order(&self.value(right)?).ok_or(Unknown::Undecided)
     }
 
-    /// Whether the condition is true.
-    fn holds(&self, condition: &Expr) -> Result<bool> {
-        match &condition.kind {
-            ExprKind::Symbol(name) if name == "true" => Ok(true),
-            ExprKind::Symbol(name) if name == "false" => Ok(false),
-            ExprKind::Unary { operator: UnaryOperator::Not, operand } => Ok(!self.holds(operand)?),
-            ExprKind::Binary { operator: BinaryOperator::And, left, right } => {
-                Ok(self.holds(left)? && self.holds(right)?)
-            }
-            ExprKind::Binary { operator: BinaryOperator::Or, left, right } => {
-                Ok(self.holds(left)? || self.holds(right)?)
-            }
-            ExprKind::Binary { operator: BinaryOperator::Compare(relation), left, right } => {
-                let order = self.value(left)?.order(&self.value(right)?).ok_or(Unknown::Undecided)?;
-                Ok(relation.holds(order))
-            }
-            _ => Err(Unknown::Unsupported),
-        }
+    fn no_condition(&self, _: &Expr) -> Unknown {
+        Unknown::Unsupported
     }
 }

@@ -11,7 +11,7 @@ use super::scope::{Result, Scope};
 use super::{root, step};
 
 /// The binary exponent up to which angles are reduced.
-const LARGEST_ANGLE: i32 = 1 << 16;
+pub(super) const LARGEST_ANGLE: i32 = 1 << 16;
 
 /// The value of `name(arguments)`.
 pub(super) fn call(scope: &Scope, name: &str, arguments: &[Expr], span: &Range<usize>) -> Result<Float> {
@@ -63,11 +63,15 @@ fn remainder(scope: &Scope, x: &Expr, y: &Expr) -> Result<Float> {
 
 /// The argument, unless the function is periodic and the argument so large that reducing it takes for ever.
 fn within_reach(name: &str, argument: Float, span: &Range<usize>) -> Result<Float> {
-    let periodic = matches!(name, "sin" | "cos" | "tan");
-    if periodic && argument.get_exp().is_some_and(|exponent| exponent > LARGEST_ANGLE) {
+    if is_periodic(name) && argument.get_exp().is_some_and(|exponent| exponent > LARGEST_ANGLE) {
         return Err(EvalError::NotFinite { span: span.clone() });
     }
     Ok(argument)
+}
+
+/// Whether a function reduces its argument.
+pub(super) fn is_periodic(name: &str) -> bool {
+    matches!(name, "sin" | "cos" | "tan")
 }
 
 /// The functions of one argument.

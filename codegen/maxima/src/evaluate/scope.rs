@@ -1,14 +1,16 @@
 //! The names an expression sees, and its value among them.
 
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
 use rug::Float;
 use rug::float::Constant;
 
-use crate::ast::{BinaryOperator, Branch, Expr, ExprKind, UnaryOperator};
+use crate::ast::{BinaryOperator, Expr, ExprKind, UnaryOperator};
 use crate::exact;
 
+use super::condition::Comparing;
 use super::error::EvalError;
 use super::notes::Notes;
 use super::{function, power, step};
@@ -80,7 +82,10 @@ impl<'a> Scope<'a> {
             ExprKind::Unary { operator, operand } => self.unary(*operator, operand, span)?,
             ExprKind::Binary { operator, left, right } => self.binary(*operator, left, right, span)?,
             ExprKind::Call { .. } => self.call(expression)?,
-            ExprKind::If { branches, otherwise } => self.branch(branches, otherwise.as_deref(), span)?,
+            ExprKind::If { branches, otherwise } => {
+                let side = self.side(branches, otherwise.as_deref())?;
+                self.value(side.ok_or_else(|| EvalError::NoBranch { span: span.clone() })?)?
+            }
             other => return Err(not_numeric(other, span)),
         };
         finite(value, span)
@@ -144,36 +149,18 @@ impl<'a> Scope<'a> {
             None => Err(EvalError::NotNumeric { what: "a call of an expression", span: expression.span.clone() }),
         }
     }
+}
 
-    fn branch(&self, branches: &[Branch], otherwise: Option<&Expr>, span: &Range<usize>) -> Result<Float> {
-        for branch in branches {
-            if self.holds(&branch.condition)? {
-                return self.value(&branch.value);
-            }
-        }
-        otherwise.map_or_else(|| Err(EvalError::NoBranch { span: span.clone() }), |value| self.value(value))
+impl Comparing for Scope<'_> {
+    type Error = EvalError;
+
+    fn order(&self, comparison: &Expr, left: &Expr, right: &Expr) -> Result<Ordering> {
+        let order = step::order(self.notes, &self.value(left)?, &self.value(right)?);
+        order.ok_or_else(|| self.no_condition(comparison))
     }
 
-    /// Whether the condition is true.
-    pub(super) fn holds(&self, condition: &Expr) -> Result<bool> {
-        let no_condition = || EvalError::NotACondition { span: condition.span.clone() };
-        match &condition.kind {
-            ExprKind::Symbol(name) if name == "true" => Ok(true),
-            ExprKind::Symbol(name) if name == "false" => Ok(false),
-            ExprKind::Unary { operator: UnaryOperator::Not, operand } => Ok(!self.holds(operand)?),
-            ExprKind::Binary { operator: BinaryOperator::And, left, right } => {
-                Ok(self.holds(left)? && self.holds(right)?)
-            }
-            ExprKind::Binary { operator: BinaryOperator::Or, left, right } => {
-                Ok(self.holds(left)? || self.holds(right)?)
-            }
-            ExprKind::Binary { operator: BinaryOperator::Compare(relation), left, right } => {
-                let order =
-                    step::order(self.notes, &self.value(left)?, &self.value(right)?).ok_or_else(no_condition)?;
-                Ok(relation.holds(order))
-            }
-            _ => Err(no_condition()),
-        }
+    fn no_condition(&self, expression: &Expr) -> EvalError {
+        EvalError::NotACondition { span: expression.span.clone() }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Precision raised until the digits of a value stop changing.
+//! Precision raised until the digits of a value are told, or stop changing.
 
 use std::collections::BTreeMap;
 
@@ -24,12 +24,12 @@ const NOISE_COUNT: u32 = 3;
 /// The value of the expression at exactly these inputs, the first `bits` bits of which are right.
 ///
 /// The precision doubles until the value lies between two numbers that share these bits. Where it never does, as where it is zero, or
-/// depends on which of two equal numbers is larger, it is what precision after precision agrees on: then the precision doubles until two results in a row agree to `bits` bits, or until the result is zero: exactly, twice, or
-/// nothing but rounding noise that shrinks as the precision grows. A number that is as near to a step of `floor` and the like, or to one
-/// that it is compared with, however high the precision, is the number there. It starts the higher, the farther the magnitudes of the
-/// inputs lie apart, and those of functions such as `exp` from 1, lest a small number is lost beside a large one at two precisions
-/// in a row. The result has all bits of
-/// the highest precision used.
+/// depends on which of two equal numbers is larger, it is what precision after precision agrees on.
+///
+/// That is, until two results in a row agree to `bits` bits, or until the result is zero: exactly, twice, or nothing but rounding noise
+/// that shrinks as the precision grows. A number that is as near to a step of `floor` and the like, or to one that it is compared with,
+/// however high the precision, is the number there. The precision then starts the higher, the farther the magnitudes of the inputs lie
+/// apart, and those of functions such as `exp` from 1, lest a small number is lost beside a large one at two precisions in a row.
 ///
 /// # Errors
 ///
