@@ -29,12 +29,12 @@ trait Shape {
 }
 
 /// What a default call returns.
-struct Default;
+struct DefaultCall;
 
 /// What `fast` returns.
-struct Fast;
+struct FastCall;
 
-impl Shape for Default {
+impl Shape for DefaultCall {
     #[inline(always)]
     fn first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize, const FUSED: bool>(
         inputs: &[f64; N],
@@ -48,7 +48,7 @@ impl Shape for Default {
     }
 }
 
-impl Shape for Fast {
+impl Shape for FastCall {
     /// Its arithmetic knows no products of two numbers.
     #[inline(always)]
     fn first_tier<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize, const FUSED: bool>(
@@ -68,7 +68,7 @@ pub fn batch<P: Program<N, K, M>, const N: usize, const K: usize, const M: usize
     inputs: [&[f64]; N],
     results: [&mut [f64]; M],
 ) -> Result<(), LengthError> {
-    by_blocks::<Default, P, N, K, M>(inputs, results)
+    by_blocks::<DefaultCall, P, N, K, M>(inputs, results)
 }
 
 /// What `fast` returns of many points.
@@ -76,7 +76,7 @@ pub fn fast_batch<P: Program<N, K, M>, const N: usize, const K: usize, const M: 
     inputs: [&[f64]; N],
     results: [&mut [f64]; M],
 ) -> Result<(), LengthError> {
-    by_blocks::<Fast, P, N, K, M>(inputs, results)
+    by_blocks::<FastCall, P, N, K, M>(inputs, results)
 }
 
 /// A batch, block by block; nothing is written where slices are not of one length.

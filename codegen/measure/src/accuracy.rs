@@ -64,21 +64,29 @@ pub fn measure(
     Ok(measurement)
 }
 
+/// Results of a kernel, and the values of its reference.
+type Values = (Vec<f64>, Vec<Float>);
+
+/// The results at a point, NaN where the kernel refuses it, and the values of the reference; `None` where neither has a value.
+pub(crate) fn values(kernel: &Kernel, reference: &Reference, point: &[f64]) -> Result<Option<Values>, ValueError> {
+    let got = results(kernel, point).unwrap_or_else(|_| vec![f64::NAN; kernel.meta.results.len()]);
+    match reference.values(point, REFERENCE_BITS) {
+        Err(_) if got.iter().all(|value| !value.is_finite()) => Ok(None),
+        expected => Ok(Some((got, expected?))),
+    }
+}
+
 impl Measurement {
-    /// Takes a point in; false where neither the reference nor the kernel has a value.
-    fn include(&mut self, kernel: &Kernel, reference: &Reference, point: &[f64]) -> Result<bool, ValueError> {
-        let got = results(kernel, point).unwrap_or_else(|_| vec![f64::NAN; self.worst.len()]);
-        let expected = match reference.values(point, REFERENCE_BITS) {
-            Err(_) if got.iter().all(|value| !value.is_finite()) => return Ok(false),
-            expected => expected?,
-        };
+    /// Takes a point in, unless neither the reference nor the kernel has a value there.
+    fn include(&mut self, kernel: &Kernel, reference: &Reference, point: &[f64]) -> Result<(), ValueError> {
+        let Some((got, expected)) = values(kernel, reference, point)? else { return Ok(()) };
         for ((worst, got), expected) in self.worst.iter_mut().zip(got).zip(expected) {
             let ulp = ulp_error(got, &expected);
             if worst.as_ref().is_none_or(|worst| ulp > worst.ulp) {
                 *worst = Some(Worst { ulp, inputs: point.to_vec(), got, expected });
             }
         }
-        Ok(true)
+        Ok(())
     }
 }
 

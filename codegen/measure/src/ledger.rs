@@ -12,7 +12,7 @@ use miette::{Diagnostic, IntoDiagnostic};
 use serde::Serialize;
 use thiserror::Error;
 
-use crate::accuracy::{REFERENCE_BITS, Reference, ReferenceError, ValueError, covers, results, ulp_error, ulp_text};
+use crate::accuracy::{Reference, ReferenceError, ValueError, covers, ulp_error, ulp_text, values};
 use crate::catalogue::{Catalogue, DomainError, Entry};
 use crate::kept::KeptInputs;
 use closedform_project::hexfloat;
@@ -250,12 +250,7 @@ fn measured(
         if !covers(&entry.kernel, &point) {
             continue;
         }
-        let got = results(&entry.kernel, &point).unwrap_or_else(|_| vec![f64::NAN; measured.len()]);
-        let without_value = |_: &ValueError| got.iter().all(|value| !value.is_finite());
-        let expected = match reference.values(&point, REFERENCE_BITS) {
-            Err(error) if without_value(&error) => continue,
-            expected => expected?,
-        };
+        let Some((got, expected)) = values(&entry.kernel, reference, &point)? else { continue };
         for (result, formula) in reference.bodies().enumerate() {
             measured[result].include(ulp_error(got[result], &expected[result]), &point);
             if is_sampled {
