@@ -123,6 +123,10 @@ fn numbers_at_a_step_are_told_from_those_beside_it() {
         ("if 3*(1/3) < 1 then 0 elseif n*(1/n) > 1 then 0 else 1", 1.0),
         ("if 1+e^3 > 1 and 1-e^3 < 1 then 1 else 0", 1.0),
         ("if e^3 = 0 or h^2 = 0 then 0 else 1", 1.0),
+        // a root is not enclosed
+        ("if positive_root(u^2-2,u) > 1.41421356237 and positive_root(u^2-2,u) < 1.41421356238 then 1 else 0", 1.0),
+        ("if positive_root(u^2-2,u)^2*h^5 = 2*h^5 then 1 else 0", 1.0),
+        ("if positive_root(u^2-2,u)^2 = 2 and positive_root(u^2-2,u)^2-2 <= 0 then 1 else 0", 1.0),
         // Kahan's monster: the quotient of what rounding leaves
         (
             "if (abs(h-sqrt(h*h+1))-1/(h+sqrt(h*h+1)))^2 = 0 then 1 else (exp((abs(h-sqrt(h*h+1))-1/(h+sqrt(h*h+1)))^2)-1)/(abs(h-sqrt(h*h+1))-1/(h+sqrt(h*h+1)))^2",
